@@ -336,6 +336,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     if args.vtu.is_some() || (args.scene && job.case.ground_motion.is_some()) {
         job.solid.snapshot_interval = Some(interval(job, args)?);
         job.solid.snapshot_inside = args.vtu.is_some();
+        job.solid.snapshot_close = args.vtu.is_none() && args.vtu_every.is_none();
     }
     // After the interval, which is part of what a checkpoint is of.
     args.nonlinear.apply(job, &args.out)?;

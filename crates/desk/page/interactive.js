@@ -2,6 +2,7 @@
 
 import { h, fill, choice } from './dom.js';
 import { add, setLanguage, t } from './words.js';
+import { decoded } from './scene-data.js';
 import { mount } from './viewer.js';
 
 add({
@@ -26,7 +27,10 @@ const figures = (held('figures') ?? []).map(([name, svg]) => ({ name, address: U
 const source = {
   results: async () => results,
   series: async () => held('series'),
-  scene: async () => held('scene'),
+  scene: async () => {
+    const json = held('scene');
+    return json && decoded(json);
+  },
   ...(figures.length ? { figures: async () => figures } : {}),
 };
 const head = document.getElementById('top');

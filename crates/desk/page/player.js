@@ -11,7 +11,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
  *
  * @param {object} clock of clock.js
  * @param {{times: ArrayLike<number>, moving(moving: boolean): void, frame(): void}} scene `frame` draws, `moving` tells of play and pause
- * @returns `{element, toggle(), pause(), step(count), playing, destroy(), oscillate(draw|null)}`; with a function, play calls it with seconds instead of moving the clock
+ * @returns `{element, toggle(), pause(), step(count), slow(), playing, destroy(), oscillate(draw|null)}`; with a function, play calls it with seconds instead of moving the clock
  */
 export function createPlayer(clock, { times, moving, frame }) {
   const first = times[0] ?? 0;
@@ -132,6 +132,11 @@ export function createPlayer(clock, { times, moving, frame }) {
     play,
     pause,
     step: go,
+    /** The slowest speed. */
+    slow() {
+      state.speed = SPEEDS[0];
+      speed.value = String(SPEEDS[0]);
+    },
     get playing() {
       return state.playing;
     },

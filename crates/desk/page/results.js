@@ -3,6 +3,7 @@
 import { h, fill } from './dom.js';
 import { t, moment } from './words.js';
 import './results-words.js';
+import { loadScene } from './scene-load.js';
 import { mount as mountViewer } from './viewer.js';
 import { verdictBadge } from './summary.js';
 import { comparison } from './results-compare.js';
@@ -43,6 +44,7 @@ export function mount(element, desk) {
       const path = args.path ?? room.path ?? room.list[0]?.path ?? null;
       const beside = args.with ?? (args.path && args.path !== room.path ? null : room.beside);
       if (path !== room.path || beside !== room.beside || !room.view) await open(room, path, beside);
+      else room.view.resume?.();
     },
     hide() {
       room.shown = false;
@@ -160,7 +162,7 @@ function fetched(room, path) {
         entry(room, path)?.files?.includes('series.csv') === false ? Promise.resolve(null) : api.get('series', { path }).catch(none),
       ),
       // A scene is large and is read for each view.
-      scene: async () => (entry(room, path)?.scene === false ? null : api.get('scene', { path }).catch(none)),
+      scene: async () => (entry(room, path)?.scene === false ? null : loadScene(`api/scene?${new URLSearchParams({ path })}`)),
     };
   }
   room.data.set(path, own);

@@ -13,14 +13,23 @@ function bytes(text) {
 function numbers(value, Kind) {
   if (typeof value !== 'string') return Kind.from((value ?? []).flat());
   const raw = bytes(value);
-  const whole = raw.byteLength - (raw.byteLength % Kind.BYTES_PER_ELEMENT);
-  return new Kind(raw.buffer.slice(raw.byteOffset, raw.byteOffset + whole));
+  const length = Math.floor(raw.byteLength / Kind.BYTES_PER_ELEMENT);
+  // A copy of a scene has many megabytes: only where the bytes are not aligned.
+  return raw.byteOffset % Kind.BYTES_PER_ELEMENT ? new Kind(raw.slice().buffer, 0, length) : new Kind(raw.buffer, raw.byteOffset, length);
+}
+
+/** The same of a key, whose text is let go: it is as large as all else. */
+function taken(object, key, Kind) {
+  const found = numbers(object[key], Kind);
+  object[key] = null;
+  return found;
 }
 
 /**
- * The scene of scene.json.
+ * The scene of scene.json, whose long texts it takes.
  *
- * @returns `{nodes, count, parts, times, frames, scale, displacement, fields, modes, moments, size}`
+ * @returns `{nodes, count, parts, times, frames, scale, surfaceScale, apart, displacement, fields, modes, moments, size}`; `apart` are the nodes that take
+ *   `surfaceScale`, null where there are none
  * Errors: a format that this viewer does not know, arrays of the wrong length.
  */
 export function decoded(json) {
@@ -28,18 +37,31 @@ export function decoded(json) {
   const nodes = numbers(json.nodes, Float32Array);
   const count = nodes.length / 3;
   const times = Float64Array.from(json.times ?? []);
-  const displacement = numbers(json.displacement, Int16Array);
+  const displacement = taken(json, 'displacement', Int16Array);
   if (displacement.length !== times.length * nodes.length) throw new Error('scene.json: displacement has the wrong length');
   const parts = (json.parts ?? []).map((part) => built(part.id, numbers(part.cells, Uint32Array), part.per_cell ?? 4, count));
   const fields = (json.fields ?? []).map((field) => fieldOf(field, parts, count, times.length));
   const modes = (json.modes ?? []).map((mode) => ({ title: mode.title, frequency: mode.frequency, displacement: numbers(mode.displacement, Float32Array) }));
-  return finished({ nodes, count, parts, times, frames: times.length, scale: perFrame(json.scale, times.length), displacement, fields, modes, moments: [] });
+  const frames = times.length;
+  const [scale, surfaceScale] = [perFrame(json.scale, frames), json.surface_scale ? perFrame(json.surface_scale, frames) : null];
+  return finished({ nodes, count, parts, times, frames, scale, surfaceScale, apart: surfaceScale && alone(parts, count), displacement, fields, modes, moments: [] });
 }
+
+/** Marks the nodes that only the surface has. */
+function alone(parts, count) {
+  const marks = new Uint8Array(count);
+  for (const { id, own } of parts) if (id === 'surface') for (const node of own) marks[node] = 1;
+  for (const { id, own } of parts) if (id !== 'surface') for (const node of own) marks[node] = 0;
+  return marks;
+}
+
+/** The factors on the stored displacement of a node, by frame. */
+export const scaleOf = (scene, node) => (scene.apart?.[node] ? scene.surfaceScale : scene.scale);
 
 const perFrame = (scale, frames) => (typeof scale === 'number' ? new Float64Array(frames).fill(scale) : Float64Array.from(scale ?? []));
 
 function fieldOf(field, parts, count, frames) {
-  const values = numbers(field.values, Int16Array);
+  const values = taken(field, 'values', Int16Array);
   const part = parts.find(({ id }) => id === field.part);
   if (!part) throw new Error(`scene.json: field ${field.id} names the part ${field.part}`);
   const per = frames ? values.length / frames : 0;
@@ -150,9 +172,10 @@ export function historyAt(scene, field, node) {
 /** Displacement of a node in x, y, z over time [m]. */
 export function motionOf(scene, node) {
   const out = [0, 1, 2].map(() => new Float64Array(scene.frames));
+  const scale = scaleOf(scene, node);
   for (let frame = 0; frame < scene.frames; frame += 1) {
     const at = (frame * scene.count + node) * 3;
-    for (let axis = 0; axis < 3; axis += 1) out[axis][frame] = scene.displacement[at + axis] * scene.scale[frame];
+    for (let axis = 0; axis < 3; axis += 1) out[axis][frame] = scene.displacement[at + axis] * scale[frame];
   }
   return out;
 }
@@ -171,12 +194,13 @@ function finished(scene) {
   for (const part of scene.parts) {
     let most = 0;
     for (let frame = 0; frame < scene.frames; frame += 1) {
-      let here = 0;
+      const here = [0, 0];
       for (const node of part.own) {
         const at = (frame * scene.count + node) * 3;
-        for (let axis = 0; axis < 3; axis += 1) here = Math.max(here, Math.abs(scene.displacement[at + axis]));
+        const apart = scene.apart?.[node] ?? 0;
+        for (let axis = 0; axis < 3; axis += 1) here[apart] = Math.max(here[apart], Math.abs(scene.displacement[at + axis]));
       }
-      most = Math.max(most, here * scene.scale[frame]);
+      most = Math.max(most, here[0] * scene.scale[frame], here[1] * (scene.surfaceScale?.[frame] ?? 0));
     }
     part.most = most;
   }

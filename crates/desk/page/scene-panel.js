@@ -6,8 +6,10 @@ import './scene-words.js';
 import { display, significant, unitFor, dimensionOf, withUnit } from './display.js';
 import { titled } from './titles.js';
 import { gradient } from './colours.js';
+import { scaleOf } from './scene-data.js';
 import { createView } from './scene.js';
 import { createPlayer } from './player.js';
+import { gapsOf } from './scene-gaps.js';
 import { nodePanel } from './scene-node.js';
 import { savePng, fileName } from './save.js';
 
@@ -15,6 +17,8 @@ import { savePng, fileName } from './save.js';
 const TIMES = [1, 2, 5].flatMap((digit) => [0, 1, 2, 3, 4, 5].map((power) => digit * 10 ** power)).sort((a, b) => a - b);
 /** Displacement drawn over the size of the model that is aimed at. */
 const AIM = 0.06;
+/** Parts whose exaggeration is not chosen. */
+const UNSAID = ['liquid', 'sides'];
 /** Marks of the legend, from the top. */
 const SHARES = [1, 0.75, 0.5, 0.25, 0];
 
@@ -53,8 +57,8 @@ export function createScenePanel(scene, clock, settings, name) {
     },
   });
   const tools = controls(self);
-  self.element = h('div.scene', {}, h('div.scene-main', {}, host, self.player.element), h('div.scene-side', {}, tools, self.node));
-  for (const part of scene.parts) exaggerate(self, part, nice(part.most > 0 ? (AIM * scene.size) / part.most : 1, part));
+  self.element = h('div.scene', {}, h('div.scene-main', {}, host, self.player.element, remarks(self)), h('div.scene-side', {}, tools, self.node));
+  for (const part of scene.parts) if (part.id !== 'sides') exaggerate(self, part, nice(part.most > 0 ? (AIM * scene.size) / part.most : 1, part));
   self.off = clock.on((time) => moment(self, time));
   if (scene.frames) moment(self, clock.time);
   else if (scene.modes.length) choose(self, 'mode:0');
@@ -77,6 +81,27 @@ export function createScenePanel(scene, clock, settings, name) {
       self.element.remove();
     },
   };
+}
+
+/** What the pictures do not show. */
+function remarks(self) {
+  const { scene, player, clock, settings } = self;
+  if (!scene.frames) return null;
+  const seconds = (value) => display(value, 'time', settings.units);
+  const gaps = gapsOf(scene);
+  const said = [];
+  if (gaps) {
+    const words = { gap: seconds(gaps.gap), period: seconds(gaps.period) };
+    const slowly = () => {
+      clock.set(gaps.from, null);
+      player.slow();
+      player.play();
+    };
+    said.push(gaps.from === null ? h('p', {}, t('scene-gaps', words)) : h('p', {}, t('scene-gaps-but', { ...words, from: seconds(gaps.from), to: seconds(gaps.to) }), ' ',
+      h('button.link', { type: 'button', onclick: slowly }, t('scene-gaps-show'))));
+  }
+  if (!scene.parts.some(({ id }) => id === 'surface')) said.push(h('p', {}, t('scene-no-surface')));
+  return said.length ? h('div.hint.scene-remarks', {}, said) : null;
 }
 
 /** The free surface is not exaggerated where its true motion is seen. */
@@ -122,7 +147,7 @@ function controls(self) {
   );
   self.selects = new Map();
   const times = scene.parts
-    .filter((part) => part.id !== 'liquid')
+    .filter((part) => !UNSAID.includes(part.id))
     .map((part) => {
       const [label, select] = pick(
         t('scene-times', { part: named(part.id) }),
@@ -169,15 +194,13 @@ function allFields(self) {
   const { scene, settings } = self;
   const most = Math.max(0, ...scene.parts.map((part) => part.most));
   const length = (scene_, frame, out) => {
-    const factor = scene_.scale[frame];
     const from = frame * scene_.count * 3;
     const d = scene_.displacement;
     for (let i = 0, at = from; i < out.length; i += 1, at += 3)
-      out[i] = Math.sqrt(d[at] * d[at] + d[at + 1] * d[at + 1] + d[at + 2] * d[at + 2]) * factor;
+      out[i] = Math.sqrt(d[at] * d[at] + d[at + 1] * d[at + 1] + d[at + 2] * d[at + 2]) * scaleOf(scene_, i)[frame];
   };
   const rise = (scene_, frame, out) => {
-    const factor = scene_.scale[frame];
-    for (let i = 0, at = frame * scene_.count * 3 + 2; i < out.length; i += 1, at += 3) out[i] = scene_.displacement[at] * factor;
+    for (let i = 0, at = frame * scene_.count * 3 + 2; i < out.length; i += 1, at += 3) out[i] = scene_.displacement[at] * scaleOf(scene_, i)[frame];
   };
   const surface = scene.parts.find(({ id }) => id === 'surface');
   const wall = scene.parts.find(({ id }) => id === 'wall');
@@ -239,9 +262,11 @@ function choose(self, value) {
 
 function exaggerate(self, part, times) {
   self.times.set(part.id, times);
+  // Side walls move as the wall does.
+  if (part.id === 'wall' && self.scene.parts.some(({ id }) => id === 'sides')) self.times.set('sides', times);
   const select = self.selects.get(part.id);
   if (select) select.value = String(times);
-  if (!self.shape) self.view.setTimes(part.id, times);
+  if (!self.shape) for (const [id, own] of self.times) self.view.setTimes(id, own);
   stated(self);
   follow(self);
 }
@@ -250,7 +275,7 @@ function stated(self) {
   if (self.shape || !self.scene.frames) return;
   for (const [part, times] of self.times) self.view.setTimes(part, times);
   const list = [...self.times]
-    .filter(([part]) => part !== 'liquid')
+    .filter(([part]) => !UNSAID.includes(part))
     .map(([part, times]) => t('scene-times-of', { part: named(part), times: significant(times, 1) }));
   self.stated.textContent = t('scene-drawn', { list: list.join(', ') });
 }

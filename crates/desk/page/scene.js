@@ -229,9 +229,12 @@ function move(view) {
   if (!shape && frame < 0) return;
   const size = scene.nodes.length;
   const data = shape ?? scene.displacement;
-  const a = shape ? (view.most > 0 ? view.amplitude / view.most : 0) : scene.scale[frame] * (1 - share);
   const after = Math.min(frame + 1, scene.frames - 1);
-  const b = shape ? 0 : scene.scale[after] * share;
+  // Factors of nodes, and of those of the surface alone.
+  const drawn = view.most > 0 ? view.amplitude / view.most : 0;
+  const scales = [scene.scale, scene.surfaceScale ?? scene.scale];
+  const before = scales.map((scale) => (shape ? drawn : scale[frame] * (1 - share)));
+  const then = scales.map((scale) => (shape ? 0 : scale[after] * share));
   const from = shape ? 0 : frame * size;
   const to = shape ? 0 : after * size;
   for (const one of view.parts.values()) {
@@ -240,11 +243,13 @@ function move(view) {
     const out = moved.array;
     const times = shape ? 1 : one.times;
     for (let i = 0; i < own.length; i += 1) {
-      const sideways = follow[i] < 0 ? 3 * own[i] : 3 * follow[i];
+      const beside = follow[i] < 0 ? own[i] : follow[i];
+      const sideways = 3 * beside;
       const factor = shape || follow[i] < 0 ? times : wall;
-      out[3 * i] = factor * (a * data[from + sideways] + b * data[to + sideways]);
-      out[3 * i + 1] = factor * (a * data[from + sideways + 1] + b * data[to + sideways + 1]);
-      out[3 * i + 2] = times * (a * data[from + 3 * own[i] + 2] + b * data[to + 3 * own[i] + 2]);
+      const [apart, up] = [scene.apart?.[beside] ?? 0, scene.apart?.[own[i]] ?? 0];
+      out[3 * i] = factor * (before[apart] * data[from + sideways] + then[apart] * data[to + sideways]);
+      out[3 * i + 1] = factor * (before[apart] * data[from + sideways + 1] + then[apart] * data[to + sideways + 1]);
+      out[3 * i + 2] = times * (before[up] * data[from + 3 * own[i] + 2] + then[up] * data[to + 3 * own[i] + 2]);
     }
     moved.needsUpdate = true;
   }

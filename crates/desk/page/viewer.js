@@ -8,7 +8,7 @@ import { histories, columnsOf } from './histories.js';
 import { profiles, spectra } from './profiles.js';
 import { hasMaps, maps } from './maps.js';
 import { chart, createGroup } from './charts.js';
-import { decoded, modesOf } from './scene-data.js';
+import { modesOf } from './scene-data.js';
 import './scene-words.js';
 
 add({
@@ -28,14 +28,18 @@ add({
   'look-make': ['Make from this result:', 'Aus diesem Ergebnis erzeugen:'],
 });
 
+/** Time after which a scene that nobody sees gives its memory back [ms]. */
+const LINGER = 20_000;
+
 /**
  * Mounts the viewer of one result.
  *
  * @param {HTMLElement} element
  * @param {{results(): Promise<object>, series(): Promise<object|null>, scene(): Promise<object|null>, report?: string, figures?(): Promise<{name, address}[]>,
- *   files?: {name: string, address: string}[], forms?: {title: string, make(): void}[]}} source `scene` resolves to null where the result holds none
+ *   files?: {name: string, address: string}[], forms?: {title: string, make(): void}[]}} source `scene` resolves to that of scene-data.js, to null where the result holds none
  * @param {{settings: {language, units}, name?: string, tab?: string, onTab?(tab: string): void}} options
- * @returns `{repaint(), destroy(), tab}`: `repaint` after a change of light and dark; after other settings destroy and mount anew
+ * @returns `{repaint(), pause(), resume(), destroy(), tab}`: `repaint` after a change of light and dark; after other settings destroy and mount anew;
+ *   `pause` while the viewer is not seen
  */
 export async function mount(element, source, options) {
   const { settings } = options;
@@ -78,9 +82,21 @@ export async function mount(element, source, options) {
     buttons[tabs.indexOf(next)].focus();
   }
 
+  /** Lets the scene go where it is not seen for a while; it is read again when it is shown. */
+  function linger(seen) {
+    clearTimeout(state.lingering);
+    if (seen || !state.open.has('scene')) return;
+    state.lingering = setTimeout(() => {
+      state.open.get('scene')?.destroy?.();
+      state.open.delete('scene');
+      panes.get('scene').replaceChildren();
+    }, LINGER);
+  }
+
   function show(tab) {
     state.open.get(state.tab)?.pause?.();
     state.tab = tab;
+    linger(tab === 'scene');
     tabs.forEach((one, i) => {
       panes.get(one).hidden = one !== tab;
       buttons[i].setAttribute('aria-selected', String(one === tab));
@@ -88,9 +104,10 @@ export async function mount(element, source, options) {
     });
     options.onTab?.(tab);
     if (!state.open.has(tab)) {
-      state.open.set(tab, {});
+      const place = {};
+      state.open.set(tab, place);
       build(state, tab, panes.get(tab)).then(
-        (made) => (state.dead ? made?.destroy?.() : state.open.set(tab, made ?? {})),
+        (made) => (state.dead || state.open.get(tab) !== place ? made?.destroy?.() : state.open.set(tab, made ?? {})),
         (error) => fill(panes.get(tab), h('p.empty', {}, error.message)),
       );
     }
@@ -103,9 +120,14 @@ export async function mount(element, source, options) {
     },
     results,
     repaint: () => state.open.forEach((one) => one.repaint?.()),
-    pause: () => state.open.forEach((one) => one.pause?.()),
+    pause() {
+      state.open.forEach((one) => one.pause?.());
+      linger(false);
+    },
+    resume: () => show(state.tab),
     destroy() {
       state.dead = true;
+      clearTimeout(state.lingering);
       state.open.forEach((one) => one.destroy?.());
       element.replaceChildren();
     },
@@ -190,8 +212,7 @@ async function sceneTab(state, pane, series, columns) {
   const notes = [];
   let scene = null;
   try {
-    const json = await source.scene();
-    if (json) scene = decoded(json);
+    scene = await source.scene();
   } catch (error) {
     notes.push(h('p.look-note', {}, t('scene-fault', { fault: error.message })));
   }

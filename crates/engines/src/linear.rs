@@ -80,13 +80,22 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     simulate_to(case, options, (Extent::Whole, None), progress)
 }
 
-/// [`simulate_watched`] that keeps states every `states` [s] for pictures, to an extent.
+/// Times of the states that are kept for pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pictures {
+    /// Time between two of them [s].
+    pub every: f64,
+    /// Whether there are more where the base shear is largest, if `every` does not resolve the first period of the wall.
+    pub close: bool,
+}
+
+/// [`simulate_watched`] that keeps states for pictures, to an extent.
 ///
 /// Errors: as [`simulate`].
 pub(crate) fn simulate_to(
     case: &Case,
     options: &Options,
-    (extent, states): (Extent, Option<f64>),
+    (extent, states): (Extent, Option<Pictures>),
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = match case.ground_motion {
@@ -178,8 +187,8 @@ pub(crate) struct Linear<'a> {
     pub direct: Option<&'a dyn Direct>,
     /// Motion along y of a box.
     pub across: Option<Across<'a>>,
-    /// Time between states for pictures [s]; none keeps none.
-    pub states: Option<f64>,
+    /// States for pictures; none keeps none.
+    pub states: Option<Pictures>,
     /// How much of the run is computed.
     pub extent: Extent,
     /// Laws of such a base from runs under other records.
@@ -261,19 +270,19 @@ impl MovingBase {
         }
     }
 
-    /// States of the tank on this base every so many seconds, where they are asked for.
+    /// States of the tank on this base, where they are asked for.
     ///
     /// Errors: a response that is not finite.
     fn states(
         &self,
-        every: Option<f64>,
+        pictures: Option<Pictures>,
         (case, model): (&Case, &Model),
         (motion, options): (&GroundMotion, &Options),
         analysis: &Analysis<'_>,
     ) -> Result<Option<Snapshots>, FeError> {
         let (bottom, isolated) = (self.free.bottom(), self.isolated.as_ref());
         let drawn = Drawn { case, model, motion, options, analysis, bottom, isolated };
-        every.map(|every| drawn.states(every)).transpose()
+        pictures.map(|pictures| drawn.states(pictures)).transpose()
     }
 
     /// The motion of the ground as the tank feels it: on isolators that of the slab.

@@ -7,7 +7,7 @@ use tank::{PLANE_WALLS, Shape, Support};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
-use crate::linear::{Extent, simulate_to};
+use crate::linear::{Extent, Pictures, simulate_to};
 use crate::nonlinear::scope::{self, Purpose};
 use crate::{FeError, harmonic, nonlinear, solid};
 
@@ -110,7 +110,8 @@ impl Engine for Harmonic {
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
         let extent = Extent::without(task.without);
-        let asked = (extent, task.solid.snapshot_interval);
+        let close = task.solid.snapshot_close;
+        let asked = (extent, task.solid.snapshot_interval.map(|every| Pictures { every, close }));
         let mut simulation = simulate_to(task.case, task.linear, asked, progress)?;
         if !task.solid.imperfections.is_empty() {
             simulation.notes.push(PERFECT.into());

@@ -1,14 +1,15 @@
 //! `scene.json`: what a three-dimensional viewer plays, from [`Snapshots`].
 //!
 //! ```text
-//! nodes          f32, x y z of each [m]                 parts    u32, four nodes a cell: wall, surface, bottom
+//! nodes          f32, x y z of each [m]                 parts    u32, four nodes a cell: wall, surface, bottom, sides
 //! displacement   i16, frames × nodes × 3                fields   i16, frames × nodes or frames × cells of their part
 //! value          stored number · scale[frame]           modes    f32, nodes × 3, the longest displacement 1
 //! ```
 //!
 //! All arrays are base64 of little-endian numbers, all units SI. The nodes are those of the parts, without the inside of the liquid; a half tank is
-//! mirrored. The wave height is the vertical displacement of the surface. Frames that do not fit into [`MOST`] bytes are left out evenly, but for
-//! those in which a displacement or a field is largest.
+//! mirrored. The wave height is the vertical displacement of the surface; nodes of the surface alone have a scale of their own, since a wave may be a
+//! thousand times as high as the wall moves. Frames that do not fit into [`MOST`] bytes are left out evenly, but for
+//! those in which a displacement or a field is largest and those about the largest displacement of the wall.
 
 mod mirror;
 
@@ -26,7 +27,7 @@ use super::{EngineId, Resultants, Snapshot, Snapshots, TankSummary};
 /// Name of the file in a results folder.
 pub const FILE: &str = "scene.json";
 /// Format of the file.
-pub const FORMAT: &str = "tankcheck-scene/1";
+pub const FORMAT: &str = "tankcheck-scene/2";
 /// Bytes of the file, about.
 pub const MOST: usize = 24_000_000;
 /// Largest stored number.
@@ -55,6 +56,9 @@ struct Scene {
     frames: Frames,
     times: Vec<f64>,
     scale: Vec<f64>,
+    /// The same of the nodes that no other part than the surface has.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    surface_scale: Vec<f64>,
     displacement: String,
     fields: Vec<Field>,
     modes: Vec<Shown>,
@@ -76,7 +80,7 @@ struct Lengths {
 /// What was left out.
 #[derive(Serialize)]
 struct Frames {
-    /// Every how many states there is a frame: 1 where none is left out, else a mean.
+    /// Every how many states there is a frame: 1 where none is left out, else a mean of those that are not about the largest displacement.
     kept_every: f64,
     /// States of the run.
     states: usize,
@@ -214,12 +218,23 @@ fn scene(tank: &TankSummary, engine: EngineId, snapshots: &Snapshots, most: usiz
         Field { id: source.id, title, unit: source.unit, part: source.part, at: "cell", scale, values }
     });
     let fields = fields.collect();
-    let (scale, displacement) = coded(&kept, |i, frame| {
+    let fixed = used(&Snapshots { surface: Vec::new(), ..meshes(snapshots) });
+    let apart: Vec<bool> = nodes.iter().map(|n| fixed.binary_search(n).is_err()).collect();
+    let group = |number: usize| usize::from(apart[number / 3]);
+    let ([scale, mut surface_scale], displacement) = grouped(&kept, group, |i, frame| {
         let own = &snapshots.states[i].displacement;
         nodes.iter().for_each(|&n| frame.extend_from_slice(&own[n]));
     });
+    if !apart.contains(&true) {
+        surface_scale.clear();
+    }
     let single = |points: &[[f64; 3]]| floats(nodes.iter().flat_map(|&n| points[n]));
-    let parts = [("wall", &snapshots.wall), ("surface", &snapshots.surface), ("bottom", &snapshots.bottom)];
+    let parts = [
+        ("wall", &snapshots.wall),
+        ("surface", &snapshots.surface),
+        ("bottom", &snapshots.bottom),
+        ("sides", &snapshots.sides),
+    ];
     let of_part =
         |(id, cells): (&'static str, &Vec<[usize; 4]>)| Cells { id, cells: places(&nodes, cells), per_cell: 4 };
     let modes = snapshots.modes.iter().map(|mode| Shown {
@@ -236,6 +251,7 @@ fn scene(tank: &TankSummary, engine: EngineId, snapshots: &Snapshots, most: usiz
         frames: Frames { kept_every, states: snapshots.states.len() },
         times: kept.iter().map(|&i| snapshots.states[i].time).collect(),
         scale,
+        surface_scale,
         displacement,
         fields,
         modes: modes.collect(),
@@ -251,9 +267,16 @@ fn lengths(tank: &TankSummary) -> Lengths {
     Lengths { radius, length, breadth, height: tank.tank.wall_height(), fill: tank.liquid.fill_height }
 }
 
+/// The cells alone.
+fn meshes(of: &Snapshots) -> Snapshots {
+    let Snapshots { wall, surface, bottom, sides, .. } = of;
+    let (wall, surface, bottom, sides) = (wall.clone(), surface.clone(), bottom.clone(), sides.clone());
+    Snapshots { wall, surface, bottom, sides, ..Snapshots::default() }
+}
+
 /// Nodes of the parts, ascending.
 fn used(snapshots: &Snapshots) -> Vec<usize> {
-    let cells = snapshots.wall.iter().chain(&snapshots.surface).chain(&snapshots.bottom);
+    let cells = snapshots.wall.iter().chain(&snapshots.surface).chain(&snapshots.bottom).chain(&snapshots.sides);
     let mut nodes: Vec<usize> = cells.flatten().copied().collect();
     nodes.sort_unstable();
     nodes.dedup();
@@ -296,23 +319,43 @@ fn size(values: &[f64]) -> f64 {
     largest
 }
 
+/// Share of the frames that follow each other about the largest displacement of the wall, where not all fit.
+const CLOSE: usize = 3;
+
 /// Every how many states are kept, and which.
 fn kept(snapshots: &Snapshots, nodes: &[usize], found: &[Found<'_>], most: usize) -> (f64, Vec<usize>) {
     let count = snapshots.states.len();
     let numbers = 3 * nodes.len() + found.iter().map(|found| found.cells).sum::<usize>();
     // Two bytes are 8/3 characters; a scale or a time has up to 24.
-    let frame = 8 * numbers / 3 + 24 * (2 + found.len());
-    let cells = snapshots.wall.len() + snapshots.surface.len() + snapshots.bottom.len();
+    let frame = 8 * numbers / 3 + 24 * (3 + found.len());
+    let cells = snapshots.wall.len() + snapshots.surface.len() + snapshots.bottom.len() + snapshots.sides.len();
     let fixed = 16 * nodes.len() * (1 + snapshots.modes.len()) + 22 * cells;
     let mut peaks = moved(snapshots);
     peaks.extend(found.iter().map(|found| found.peak));
     let fit = (most.saturating_sub(fixed) / frame.max(1)).saturating_sub(peaks.len()).max(1);
-    let every = (count as f64 / fit as f64).max(1.0);
-    let even = (0..count.min(fit)).map(|i| ((i as f64 * every).round() as usize).min(count - 1));
-    let mut kept: Vec<usize> = even.chain(peaks).collect();
+    // The motion of the wall is seen as it is in a part; the rest is thinner for it.
+    let close = if count > fit { fit / CLOSE } else { 0 };
+    let first = closest(snapshots, close, peaks.first().copied().unwrap_or_default());
+    let rest = (fit - close).max(1);
+    let every = (count as f64 / rest as f64).max(1.0);
+    let even = (0..count.min(rest)).map(|i| ((i as f64 * every).round() as usize).min(count - 1));
+    let mut kept: Vec<usize> = even.chain(first..(first + close).min(count)).chain(peaks).collect();
     kept.sort_unstable();
     kept.dedup();
     (every, kept)
+}
+
+/// The first of `close` states that follow each other: about `peak`, or where an engine has its states closer than there.
+fn closest(snapshots: &Snapshots, close: usize, peak: usize) -> usize {
+    let last = snapshots.states.len().saturating_sub(close);
+    let span = |first: usize| {
+        let ends =
+            [first, first + close.saturating_sub(1)].map(|i| snapshots.states.get(i).map_or(0.0, |state| state.time));
+        ends[1] - ends[0]
+    };
+    let about = peak.saturating_sub(close / 2).min(last);
+    let densest = (0..=last).min_by(|a, b| span(*a).total_cmp(&span(*b)));
+    densest.filter(|first| span(*first) < 0.75 * span(about)).unwrap_or(about)
 }
 
 /// States in which the displacement of each part is largest.
@@ -334,17 +377,33 @@ fn moved(snapshots: &Snapshots) -> Vec<usize> {
 
 /// Frames as 16-bit numbers, and the scale of each; `values` appends those of a state.
 fn coded(kept: &[usize], values: impl Fn(usize, &mut Vec<f64>)) -> (Vec<f64>, String) {
-    let (mut scales, mut bytes, mut frame) = (Vec::new(), Vec::new(), Vec::new());
+    let ([scale], text) = grouped(kept, |_| 0, values);
+    (scale, text)
+}
+
+/// The same with a scale for each group of numbers; `group` is that of the place of a number in its frame.
+fn grouped<const N: usize>(
+    kept: &[usize],
+    group: impl Fn(usize) -> usize,
+    values: impl Fn(usize, &mut Vec<f64>),
+) -> ([Vec<f64>; N], String) {
+    let (mut scales, mut bytes, mut frame) = ([const { Vec::new() }; N], Vec::new(), Vec::new());
     for &i in kept {
         frame.clear();
         values(i, &mut frame);
-        let scale = size(&frame) / FULL;
-        let per_step = if scale > 0.0 { 1.0 / scale } else { 0.0 };
-        for v in &frame {
-            // At most 32767, but for the rounding of the quotient.
-            bytes.extend_from_slice(&((v * per_step).round().clamp(-FULL, FULL) as i16).to_le_bytes());
+        let mut largest = [0.0_f64; N];
+        for (number, value) in frame.iter().enumerate() {
+            let own = &mut largest[group(number)];
+            *own = if value.is_nan() || own.is_nan() { f64::NAN } else { own.max(value.abs()) };
         }
-        scales.push(scale);
+        let steps = largest.map(|size| size / FULL);
+        let per_step = steps.map(|step| if step > 0.0 { 1.0 / step } else { 0.0 });
+        for (number, value) in frame.iter().enumerate() {
+            // At most 32767, but for the rounding of the quotient.
+            let stored = (value * per_step[group(number)]).round().clamp(-FULL, FULL) as i16;
+            bytes.extend_from_slice(&stored.to_le_bytes());
+        }
+        scales.iter_mut().zip(steps).for_each(|(all, step)| all.push(step));
     }
     (scales, base64(&bytes))
 }

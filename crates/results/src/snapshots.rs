@@ -18,6 +18,8 @@ pub struct Snapshots {
     pub surface: Vec<[usize; 4]>,
     /// Quadrilaterals of the bottom plate of a tank that lifts, four indices into `nodes`; one at the axis repeats its node.
     pub bottom: Vec<[usize; 4]>,
+    /// Quadrilaterals of walls that are drawn without values, four indices into `nodes`.
+    pub sides: Vec<[usize; 4]>,
     /// Whether the resultants are whole ones, with the static state; else seismic ones.
     pub whole: bool,
     /// Whether the model is the half y ≥ 0 of a tank that is symmetric about y = 0.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cylinder   radial  w₀ + w cos θ       around  v sin θ       axial  u₀ + u cos θ       surface  η₀ + η cos θ
-//! box        along x ± w₀ + w at the walls x = ± L/2, whose axial displacement is u₀; the side walls are rigid and not drawn
+//! box        along x ± w₀ + w at the walls x = ± L/2, whose axial displacement is u₀; the side walls are rigid; a strip has none
 //! ```
 //!
 //! The amplitudes are combinations of the modal states, also where the histories of the run are integrated directly. The surface has the sloshing modes that
@@ -18,6 +18,7 @@ use tank::case::GroundMotion;
 use tank::options::LinearOptions;
 use tank::options::linear::Integrator;
 
+use super::Pictures;
 use super::analysis::Analysis;
 use super::demands::{combine, stride};
 use super::isolation::Isolated;
@@ -31,6 +32,8 @@ use rows::{Amplitude, Rows};
 
 /// Modes of a kind and harmonic that are drawn.
 const MODES: usize = 3;
+/// States in the first period of the wall about the largest base shear, and most of them.
+const CLOSE: (f64, f64) = (5.0, 200.0);
 
 /// What is drawn.
 pub(super) struct Drawn<'a> {
@@ -90,10 +93,10 @@ impl Moment<'_> {
 }
 
 impl Drawn<'_> {
-    /// States about every `every` [s] until the record ends and the last of the largest values is reached, those moments included.
+    /// States about every so many seconds until the record ends and the last of the largest values is reached, those moments included.
     ///
     /// Errors: a response that is not finite.
-    pub(super) fn states(&self, every: f64) -> Result<Snapshots, FeError> {
+    pub(super) fn states(&self, pictures: Pictures) -> Result<Snapshots, FeError> {
         let mesh = Mesh::of(self.case, self.model);
         let rows = Rows::of(self.model, &mesh, self.options.wave_modes);
         let observables = rows.observables(self.model);
@@ -106,7 +109,7 @@ impl Drawn<'_> {
         };
         let along = of(&self.motion.horizontal)?;
         let across = self.motion.transverse.as_ref().filter(|_| mesh.round).map(of).transpose()?;
-        let moments = self.moments(every, grid.h() * stride as f64, grid.steps() / stride);
+        let moments = self.moments(pictures, grid.h() * stride as f64, grid.steps() / stride);
         let at = |found: &Combined, k: usize| -> Vec<f64> {
             let value = |terms: &Vec<(usize, f64)>| terms.iter().map(|&(s, c)| c * found.states[s][k]).sum();
             found.terms.iter().map(value).collect()
@@ -121,6 +124,7 @@ impl Drawn<'_> {
             states: states.collect(),
             nodes: mesh.nodes.clone(),
             wall: mesh.wall.clone(),
+            sides: mesh.sides.clone(),
             thickness: mesh.cells.iter().map(|cell| cell.thickness).collect(),
             surface: mesh.surface.clone(),
             modes: self.modes(&mesh),
@@ -133,7 +137,7 @@ impl Drawn<'_> {
     }
 
     /// Numbers of the instants that are kept, of `count` after rest, `step` [s] apart.
-    fn moments(&self, every: f64, step: f64, count: usize) -> Vec<usize> {
+    fn moments(&self, Pictures { every, close }: Pictures, step: f64, count: usize) -> Vec<usize> {
         let counts = |channel: Channel| {
             channel.is_wave_at_wall()
                 || matches!(channel, Channel::BaseShear | Channel::OverturningMoment | Channel::Largest { .. })
@@ -146,12 +150,27 @@ impl Drawn<'_> {
             })
             .collect();
         let end = peaks.iter().copied().fold(super::record_end(self.motion), f64::max);
+        let close = close.then(|| self.close(every)).flatten();
+        let close = close.into_iter().flatten().filter(|time| (0.0..=end).contains(time));
         let place = |time: f64| ((time / step).round() as usize).min(count);
         let even = (0..).map(|i| f64::from(i) * every).take_while(|time| *time <= end * (1.0 + 1e-9));
-        let mut moments: Vec<usize> = even.chain(peaks.iter().copied()).map(place).collect();
+        let mut moments: Vec<usize> = even.chain(peaks.iter().copied()).chain(close).map(place).collect();
         moments.sort_unstable();
         moments.dedup();
         moments
+    }
+
+    /// Times about the largest base shear that resolve the first period of the wall, where `every` does not.
+    fn close(&self, every: f64) -> Option<impl Iterator<Item = f64> + use<>> {
+        let (in_a_period, most) = CLOSE;
+        let structural = self.model.horizontal.modes.iter().filter(|m| m.kind == Kind::Structural);
+        let omega = structural.map(|m| m.omega).fold(f64::INFINITY, f64::min);
+        let spacing = std::f64::consts::TAU / omega / in_a_period;
+        let shear = self.analysis.scalars.iter().find(|(scalar, _)| scalar.channel == Channel::BaseShear);
+        let peak = shear.map(|(_, history)| history.extreme.peak().1)?;
+        let first = (peak - 0.5 * most * spacing).max(0.0);
+        let times = (0..most as u32).map(move |i| first + f64::from(i) * spacing);
+        (omega.is_finite() && every > 1.25 * spacing).then_some(times)
     }
 
     fn state(&self, time: f64, moment: &Moment<'_>, mesh: &Mesh, rows: &Rows) -> Snapshot {
@@ -166,6 +185,7 @@ impl Drawn<'_> {
                     [out * c - around * s + base[0], out * s + around * c + base[1], moment.even(u, at) + base[2]]
                 }
                 Spot::Surface { ring, at } => [base[0], base[1], moment.even(rows.rings[ring], at)],
+                Spot::Rigid => base,
             }
         });
         let resultants = mesh.cells.iter().map(|cell| {

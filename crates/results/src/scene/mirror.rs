@@ -51,6 +51,7 @@ pub(super) fn whole(half: &Snapshots) -> Option<Snapshots> {
         thickness: twice(&half.thickness),
         surface: cells(&half.surface),
         bottom: cells(&half.bottom),
+        sides: cells(&half.sides),
         whole: half.whole,
         half: false,
         modes: half.modes.iter().map(mode).collect(),

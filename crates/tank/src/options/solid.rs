@@ -32,6 +32,9 @@ pub struct SolidOptions {
     /// Whether they hold the inside of the liquid, not wall and surface alone.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub snapshot_inside: bool,
+    /// Whether the harmonic engine keeps more of them where the wall moves most, so that its first period is resolved there.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub snapshot_close: bool,
     /// Deviations of the wall from the perfect cylinder.
     #[serde(default, skip_serializing_if = "Imperfections::is_empty")]
     pub imperfections: Imperfections,
@@ -48,6 +51,7 @@ impl SolidOptions {
         memory_limit_mib: MEMORY_LIMIT_MIB,
         snapshot_interval: None,
         snapshot_inside: false,
+        snapshot_close: false,
         imperfections: Imperfections::NONE,
         initial_stress: None,
     };

@@ -12,11 +12,12 @@ const COLUMNS: usize = 5;
 /// Distance of levels over the height of the wall below which one is left out.
 const CLOSEST: f64 = 0.025;
 
-/// Where a node lies: its level on the wall or its ring on the surface, and (cos θ, sin θ), of a box (± 1, 0).
+/// Where a node lies: its level on the wall or its ring on the surface, and (cos θ, sin θ), of a box (± 1, 0); or on what moves with the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spot {
     Wall { level: usize, at: [f64; 2] },
     Surface { ring: usize, at: [f64; 2] },
+    Rigid,
 }
 
 /// A quadrilateral of the wall.
@@ -38,6 +39,8 @@ pub(super) struct Mesh {
     pub wall: Vec<[usize; 4]>,
     pub cells: Vec<Cell>,
     pub surface: Vec<[usize; 4]>,
+    /// The side walls of a box.
+    pub sides: Vec<[usize; 4]>,
     /// Places of the levels among the nodes of the model's wall.
     pub levels: Vec<usize>,
     /// Their heights [m].
@@ -57,13 +60,19 @@ impl Mesh {
             wall: Vec::new(),
             cells: Vec::new(),
             surface: Vec::new(),
+            sides: Vec::new(),
             heights: levels.iter().map(|&i| rows.z[i]).collect(),
             levels,
             radii: rows.r.clone(),
         };
         match case.tank.shape {
             Shape::Cylinder { radius } => mesh.cylinder(case, radius),
-            Shape::Rectangle { length, breadth, .. } => mesh.walls(case, [0.5 * length, breadth]),
+            Shape::Rectangle { length, breadth, strip } => {
+                mesh.walls(case, [0.5 * length, breadth]);
+                if !strip {
+                    mesh.sides([0.5 * length, 0.5 * breadth]);
+                }
+            }
         }
         mesh
     }
@@ -155,6 +164,17 @@ impl Mesh {
         }
     }
 
+    /// The walls at y = ± `across` of a box, which the model takes as rigid.
+    fn sides(&mut self, [half, across]: [f64; 2]) {
+        let (foot, top) = (0.0, self.heights.last().copied().unwrap_or_default());
+        for side in [1.0, -1.0] {
+            // The outer face is counter-clockwise.
+            let corners = [[side * half, foot], [-side * half, foot], [-side * half, top], [side * half, top]];
+            let cell = corners.map(|[x, z]| self.push([x, side * across, z], Spot::Rigid));
+            self.sides.push(cell);
+        }
+    }
+
     /// Displacement of every node in a vector of one harmonic.
     pub(super) fn shape(&self, coupled: &Coupled, vector: &[f64]) -> Vec<[f64; 3]> {
         let rows = &coupled.shape_rows;
@@ -171,6 +191,7 @@ impl Mesh {
                 let even = if coupled.harmonic == 0 { 1.0 } else { at[0] };
                 [0.0, 0.0, elevation(coupled, self.radii[ring]).map_or(0.0, value) * even]
             }
+            Spot::Rigid => [0.0; 3],
         };
         self.spots.iter().map(node).collect()
     }
