@@ -225,6 +225,7 @@ function setShape(view, shape, amplitude) {
 /** Displacements of all parts: of a shape, or of two frames. */
 function move(view) {
   const { scene, shape, frame, share } = view;
+  const apart = scene.apart ?? null;
   const wall = view.parts.get('wall')?.times ?? 1;
   if (!shape && frame < 0) return;
   const size = scene.nodes.length;
@@ -246,9 +247,10 @@ function move(view) {
       const beside = follow[i] < 0 ? own[i] : follow[i];
       const sideways = 3 * beside;
       const factor = shape || follow[i] < 0 ? times : wall;
-      const [apart, up] = [scene.apart?.[beside] ?? 0, scene.apart?.[own[i]] ?? 0];
-      out[3 * i] = factor * (before[apart] * data[from + sideways] + then[apart] * data[to + sideways]);
-      out[3 * i + 1] = factor * (before[apart] * data[from + sideways + 1] + then[apart] * data[to + sideways + 1]);
+      const across = apart ? apart[beside] : 0;
+      const up = apart ? apart[own[i]] : 0;
+      out[3 * i] = factor * (before[across] * data[from + sideways] + then[across] * data[to + sideways]);
+      out[3 * i + 1] = factor * (before[across] * data[from + sideways + 1] + then[across] * data[to + sideways + 1]);
       out[3 * i + 2] = times * (before[up] * data[from + 3 * own[i] + 2] + then[up] * data[to + 3 * own[i] + 2]);
     }
     moved.needsUpdate = true;
