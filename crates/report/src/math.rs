@@ -2,7 +2,12 @@
 //!
 //! A formula is read by [`tank::formula`], whose tree is set here: quotients as fractions, roots, raised exponents,
 //! symbols with their subscripts. It is broken before `+` and `−` (and before `·` where it is long) into pieces that wrap
-//! like words. Text that is not a formula is set as words with raised and lowered letters, without loss.
+//! like words. Text that is not a formula is set as words with raised and lowered letters, without loss. [`line`] sets
+//! the same formula on one line, quotients with a stroke.
+
+mod flat;
+
+pub use flat::line;
 
 use tank::formula::{Bracket, Formula, Number, Operator, Power, Primary, Product, Sign, Sum};
 

@@ -26,7 +26,7 @@ const ANCHORS: usize = 4;
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(run) = source.results.reference().and_then(|run| run.base.as_ref()) else { return Ok(None) };
     let mut section = Section::new("base");
-    section.set("values", &values(run));
+    section.set("values", &values(run, source.level));
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
     section.set("anchors", &run.anchors.as_ref().map(words::anchors));
@@ -196,13 +196,15 @@ fn text(quantity: &Finding) -> String {
     }
 }
 
-fn values(run: &BaseRun) -> Table {
+/// Largest values of the base; below the full level without the rows of a slip that is zero.
+fn values(run: &BaseRun, level: Level) -> Table {
     let [name, with, time, angle, height, held, ratio] = words::VALUES;
     let mut table = Table::new(columns![
         name, with => "", time => "s", angle => "", height => "", held => "", ratio => "",
     ]);
     let none = || words::NONE.to_owned();
-    for quantity in &run.quantities {
+    let slides = level == Level::Full || run.quantity("slip").is_some_and(|slip| slip.value.value > 0.0);
+    for quantity in run.quantities.iter().filter(|quantity| slides || !quantity.id.starts_with("slip")) {
         let fixed_base = run.held.get(&quantity.id).copied();
         let mut value = text(quantity);
         if quantity.id == "plastic_rotation" && quantity.value.value > run.plastic_rotation_limit {

@@ -8,7 +8,7 @@ use crate::methods::excitation;
 use crate::number::{Scale, utilisation};
 use crate::words::{self, capital};
 use files::error::Error;
-use results::{Aside, Method};
+use results::{Aside, Governing, Method, Verdict};
 use tank::assessment::{Check, CheckStatus};
 
 #[derive(Serialize)]
@@ -72,12 +72,11 @@ pub(super) fn row(check: &Check, created: &str) -> Row {
     let place = words::verdict::place(check);
     let error = words::verdict::error(check);
     let approval = capital(&words::verdict::approval(check, created));
-    let remarks = [approval, capital(&check.reason), capital(&check.note), place, capital(&error)];
-    let remarks: Vec<String> = remarks.into_iter().filter(|r| !r.is_empty()).collect();
+    let note = joined([approval, capital(&check.reason), capital(&check.note), place, capital(&error)]);
     Row {
         name: capital(&check.name),
         clause: check.clause.clone(),
-        note: remarks.join(". "),
+        note,
         demand: text(check.demand),
         capacity: text(check.capacity),
         unit: check.demand.or(check.capacity).map_or("", |_| scale.symbol()),
@@ -90,6 +89,25 @@ pub(super) fn row(check: &Check, created: &str) -> Row {
         sign,
         status: words::verdict::result(check),
     }
+}
+
+/// Sentences as one text, without those that are empty.
+fn joined<const N: usize>(sentences: [String; N]) -> String {
+    sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect::<Vec<_>>().join(". ")
+}
+
+/// The row of a check without what the cover says about it.
+fn brief(check: &Check, verdict: &Verdict, created: &str) -> Row {
+    let among = |gaps: &[Governing]| gaps.iter().any(|gap| gap.check == *check);
+    let mut row = row(check, created);
+    if check.status == CheckStatus::Fails || among(&verdict.missing) || among(&verdict.accepted) {
+        // The cover has the reason where there is one, else all.
+        row.note = match check.reason.as_str() {
+            "" => String::new(),
+            _ => joined([capital(&check.note), words::verdict::place(check), capital(&words::verdict::error(check))]),
+        };
+    }
+    row
 }
 
 /// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
@@ -123,7 +141,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),
-            rows: (m.checks.iter().filter(applies)).map(|check| row(check, created)).collect(),
+            rows: (m.checks.iter().filter(applies))
+                .map(|check| if all { row(check, created) } else { brief(check, verdict, created) })
+                .collect(),
             absent: words::verdict::without(m.checks.iter().filter(|c| !applies(c))),
         })
         .collect();
@@ -133,6 +153,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let others: Vec<Other> = (methods.iter().filter(|m| !all && !decides(m))).map(|m| other(m)).collect();
     let mut section = Section::new("checks");
     section.set("groups", &groups);
+    section.set("brief", &!all);
     section.set("others", &others);
     Ok(Some(section))
 }

@@ -1,5 +1,7 @@
 //! The matrix quantities × methods with the ratios to the finite elements, and the headline quantities as bars.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 use tank::Quantity;
 use tank::assessment::Excitation;
@@ -79,6 +81,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             break_before: Some(p) == first_site,
         })
         .collect();
+    let ids: BTreeSet<&str> = columns.iter().map(|&i| results.methods[i].id.as_str()).collect();
     let by: Vec<String> = columns.iter().map(|&i| divided(results, &results.methods[i])).collect();
     let mut rows = Vec::new();
     for row in &results.comparison.rows {
@@ -86,6 +89,16 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         // What one engine alone gives stands on the cover and in the section of the base.
         let of_base = Quantity::OF_BASE.iter().any(|quantity| quantity.id() == row.quantity);
         if of_base && cells.iter().flatten().count() == 1 {
+            continue;
+        }
+        // Below the full level the table compares: what one method alone gives is no comparison.
+        let given: BTreeSet<&str> = columns
+            .iter()
+            .zip(&cells)
+            .filter(|(_, c)| c.is_some())
+            .map(|(i, _)| results.methods[*i].id.as_str())
+            .collect();
+        if source.level != Level::Full && given.len() < 2 && ids.len() > 1 {
             continue;
         }
         let scale = Scale::of(row.dimension, cells.iter().flatten().map(|c| c.value));

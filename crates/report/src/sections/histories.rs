@@ -71,13 +71,15 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     if infos.is_empty() {
         return Ok(None);
     }
-    let mut drawn = Vec::new();
+    let (mut drawn, mut shown_ids) = (Vec::new(), Vec::new());
     // The side away from the motion has its largest value in the table.
     let facing: Vec<&SeriesInfo> = infos.iter().copied().filter(|info| !info.id.contains(Side::Back.id())).collect();
     for info in facing.iter().take(most(source.level)) {
         let Some(values) = source.column(&info.id) else { continue };
         let id = format!("history_{}", info.id);
-        drawn.extend(history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?);
+        let figure = history(source, &id, &info.title, info.dimension, values, Some(info), "k-fe")?;
+        shown_ids.extend(figure.iter().map(|_| info.id.as_str()));
+        drawn.extend(figure);
     }
     let mut table = Table::new(columns![
         "History", "Unit", labels::LARGEST[0] => "", "Time" => "s", "Static value" => "",
@@ -86,7 +88,9 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         Level::Full => infos.len(),
         _ => LISTED,
     };
-    for info in infos.iter().take(listed) {
+    // Below the full level a figure has the numbers of its history.
+    let own = |info: &&&SeriesInfo| source.level == Level::Full || !shown_ids.contains(&info.id.as_str());
+    for info in infos.iter().take(listed).filter(own) {
         let scale = Scale::of(info.dimension, [info.peak]);
         table.row(vec![
             info.title.clone(),
@@ -170,7 +174,7 @@ pub(super) fn history(
     let between = peak.abs() > 1.02 * values[sampled].abs();
     Ok(Some(
         chart
-            .with_plot_height(96.0)
+            .with_plot_height(if source.level == Level::Full { 96.0 } else { 56.0 })
             .figure(id, title, table)?
             .captioned(figures::history(static_value, dimension, between))
             .described(figures::history_description(

@@ -31,7 +31,9 @@ const ORDER: [&str; 7] = [
 const HEADLINES: [&str; 2] = ["pressure", "axial_membrane_stress"];
 
 /// Height of the plots in user units.
-const PLOT: f64 = 185.0;
+fn plot(level: Level) -> f64 {
+    if level == Level::Full { 185.0 } else { 110.0 }
+}
 
 /// Content of one panel: the engine's envelope and the codes' profiles.
 #[derive(Default)]
@@ -68,7 +70,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             list.push((look, profile));
         }
     }
-    let height = source.results.tank.tank.wall_height();
+    let size = (source.results.tank.tank.wall_height(), plot(source.level));
     let (mut figures, mut site) = (Vec::new(), Vec::new());
     let full = source.level == Level::Full;
     for ((_, id), group) in &groups {
@@ -76,14 +78,14 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             continue;
         }
         if !group.profiles.is_empty() {
-            figures.push(seismic(id, group.envelope, &group.profiles, height)?);
+            figures.push(seismic(id, group.envelope, &group.profiles, size)?);
         }
         // With the static part: the section of the checks has what it amounts to.
         if let Some(envelope) = group.envelope.filter(|_| full || group.profiles.is_empty()) {
-            figures.push(combined(envelope, height)?);
+            figures.push(combined(envelope, size)?);
         }
         if !group.site.is_empty() && (full || figures.is_empty()) {
-            site.push(seismic(&format!("{id}_site"), None, &group.site, height)?);
+            site.push(seismic(&format!("{id}_site"), None, &group.site, size)?);
         }
     }
     if figures.is_empty() && site.is_empty() {
@@ -116,7 +118,14 @@ fn band(envelope: &Envelope, offset: bool) -> Vec<(f64, f64)> {
 }
 
 /// The seismic part: profiles of the codes, and the engine's largest and smallest values where they are comparable.
-fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], height: f64) -> Result<Figure, Error> {
+///
+/// * `height`, `plot`: of the wall [m], and of the plot in user units
+fn seismic(
+    id: &str,
+    envelope: Option<&Envelope>,
+    profiles: &[(Look, &Profile)],
+    (height, plot): (f64, f64),
+) -> Result<Figure, Error> {
     let (title, dimension) = match (envelope, profiles.first()) {
         (Some(e), _) => (e.title.clone(), e.dimension),
         (None, Some((_, p))) => (p.title.clone(), p.dimension),
@@ -140,7 +149,7 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
         chart.line(pairs(&p.values, &p.z), look.line_class(), look.label.clone());
     }
     Ok(chart
-        .with_plot_height(PLOT)
+        .with_plot_height(plot)
         .figure(format!("profile_{id}"), words::seismic_part(&title), table(envelope, profiles, dimension))?
         .described(words::profiles(&title, envelope.is_some(), profiles.len())))
 }
@@ -152,7 +161,7 @@ fn chart(title: &str, dimension: Dimension, values: Vec<f64>, height: f64) -> Ch
 }
 
 /// Static state and static plus seismic range of the finite elements.
-fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
+fn combined(e: &Envelope, (height, plot): (f64, f64)) -> Result<Figure, Error> {
     let corners = band(e, true);
     let values: Vec<f64> = corners.iter().map(|c| c.0).chain(e.static_.iter().copied()).chain([0.0]).collect();
     let mut chart = chart(&e.title, e.dimension, values, height);
@@ -171,7 +180,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         table.row(vec![fixed(e.z[i], 3), value(&e.static_), value(&e.min), value(&e.max)]);
     }
     let [title, description] = words::combined(e);
-    Ok(chart.with_plot_height(PLOT).figure(format!("envelope_{}", e.id), title, table)?.described(description))
+    Ok(chart.with_plot_height(plot).figure(format!("envelope_{}", e.id), title, table)?.described(description))
 }
 
 /// Values at the stations of the first profile; others interpolated.

@@ -1,8 +1,8 @@
 //! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
 //! site shows in the full report only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the
-//! engines and of the procedures that decide (of all procedures where none does), each of them whole: formula, numbers, result. Values that are given
-//! or looked up take one line, and the same of them for several grounds are set as one. Of an engine that does not decide there are assumptions and
-//! remarks; its lines are counted.
+//! engines and of the procedures that decide (of all procedures where none does), each of them whole: formula, numbers, result, each formula on one line.
+//! Values that are given or looked up follow one another as far as they are of one clause, and the same of them for several grounds are set as one.
+//! Of an engine that does not decide there are assumptions and remarks; its lines are counted.
 
 use std::collections::BTreeSet;
 
@@ -53,6 +53,17 @@ struct Sheet {
 #[derive(Serialize)]
 struct Part {
     title: String,
+    /// Clause of most of its lines, which then do not name it; empty without one.
+    clause: String,
+    blocks: Vec<Block>,
+}
+
+/// A line, or values without formula that follow one another and are of one clause.
+#[derive(Serialize)]
+struct Block {
+    clause: String,
+    /// Source of all its values; empty where each has its own.
+    look_up: String,
     lines: Vec<LineView>,
 }
 
@@ -70,10 +81,8 @@ struct LineView {
     value: String,
     unit: &'static str,
     clause: String,
-    /// Whether the line is set as one: there is no formula.
+    /// Whether there is no formula.
     short: bool,
-    /// Whether it stands for several.
-    many: bool,
 }
 
 /// Makes the section.
@@ -121,9 +130,9 @@ pub fn alone(method: &Method, check: Option<&Check>, templates: &Templates) -> R
     if let Some(check) = check {
         let behind = behind(&method.steps, check);
         for part in &mut sheet.parts {
-            part.lines.retain(|line| behind.contains(&(line.number - 1)));
+            part.blocks.retain(|block| block.lines.iter().all(|line| behind.contains(&(line.number - 1))));
         }
-        sheet.parts.retain(|part| !part.lines.is_empty());
+        sheet.parts.retain(|part| !part.blocks.is_empty());
         (sheet.assumptions, sheet.notes) = (Vec::new(), Vec::new());
     }
     let mut section = Section::new("sheets");
@@ -197,11 +206,12 @@ fn is_base(base: &Method, method: &Method) -> bool {
     base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
 }
 
-/// A line of a sheet.
-fn line(number: usize, step: &Step, document: &str) -> LineView {
+/// A line of a sheet; `built`: with fractions as they are written by hand, else its formula on one line.
+fn line(number: usize, step: &Step, document: &str, built: bool) -> LineView {
     let (value, unit) = parts(step.value, step.dimension);
+    let math = if built { math::formula } else { math::line };
     let set = |text: &str, shown: bool| match text {
-        text if shown && !text.is_empty() => math::formula(text),
+        text if shown && !text.is_empty() => math(text),
         _ => String::new(),
     };
     // Not "H/R = H/R".
@@ -210,7 +220,7 @@ fn line(number: usize, step: &Step, document: &str) -> LineView {
     LineView {
         number,
         name: in_units(&step.name),
-        symbol: math::symbol(&step.symbol),
+        symbol: math(&step.symbol),
         formula: set(&step.formula, formula),
         substitution: set(&step.substitution, substitution),
         look_up: if step.look_up.is_empty() { String::new() } else { math::words(&in_units(&step.look_up)) },
@@ -218,7 +228,6 @@ fn line(number: usize, step: &Step, document: &str) -> LineView {
         unit,
         clause: within(&step.clause, document).to_owned(),
         short: !formula,
-        many: false,
     }
 }
 
@@ -228,24 +237,20 @@ fn sheet(method: &Method, base: Option<&Method>, alone: bool, lines: bool) -> Sh
     let known = base.map_or(&[][..], |b| &b.steps);
     let document = document(&method.steps);
     let mut shared = 0;
-    let mut found: Vec<Part> = Vec::new();
+    let mut found: Vec<(String, Vec<LineView>)> = Vec::new();
     for (number, step) in (1..).zip(&method.steps).filter(|_| lines) {
         if known.contains(step) {
             shared += 1;
             continue;
         }
-        if found.last().is_none_or(|s| s.title != step.section) {
-            found.push(Part { title: step.section.clone(), lines: Vec::new() });
+        if found.last().is_none_or(|(title, _)| *title != step.section) {
+            found.push((step.section.clone(), Vec::new()));
         }
-        if let Some(part) = found.last_mut() {
-            part.lines.push(line(number, step, document));
-        }
-    }
-    if !alone {
-        for part in &mut found {
-            part.lines = merged(std::mem::take(&mut part.lines));
+        if let Some((_, lines)) = found.last_mut() {
+            lines.push(line(number, step, document, alone));
         }
     }
+    let parts = found.into_iter().map(|(title, lines)| if alone { whole(title, lines) } else { part(title, lines) });
     Sheet {
         id: sheet_id(method),
         method: method.id.clone(),
@@ -258,7 +263,7 @@ fn sheet(method: &Method, base: Option<&Method>, alone: bool, lines: bool) -> Sh
         shared: sections::shared(shared),
         base: base.map_or(String::new(), sheet_id),
         left: if lines { String::new() } else { words::left(method.steps.len()) },
-        parts: found,
+        parts: parts.collect(),
         assumptions: method.assumptions.clone(),
         as_before: String::new(),
         before: String::new(),
@@ -274,6 +279,47 @@ fn sheet(method: &Method, base: Option<&Method>, alone: bool, lines: bool) -> Sh
 /// A text with its values in the units of the report; beside a formula the finished page is not converted.
 fn in_units(text: &str) -> String {
     converted(text, System::current(), 3).into_owned()
+}
+
+/// A part of which each line stands alone and names its clause.
+fn whole(title: String, lines: Vec<LineView>) -> Part {
+    let block = |line: LineView| Block { clause: line.clause.clone(), look_up: String::new(), lines: vec![line] };
+    Part { title, clause: String::new(), blocks: lines.into_iter().map(block).collect() }
+}
+
+/// A part whose values of one clause that follow one another are one block; the clause of most lines stands beside its title.
+fn part(title: String, lines: Vec<LineView>) -> Part {
+    let clause = if title.is_empty() { String::new() } else { common(&lines) };
+    let mut blocks: Vec<Block> = Vec::new();
+    for line in merged(lines) {
+        let with = |block: &&mut Block| {
+            line.short && block.clause == line.clause && block.lines.iter().all(|known| known.short)
+        };
+        match blocks.last_mut().filter(with) {
+            Some(block) => block.lines.push(line),
+            None => {
+                blocks.push(Block { clause: line.clause.clone(), look_up: String::new(), lines: vec![line] });
+            }
+        }
+    }
+    for block in &mut blocks {
+        let source = block.lines[0].look_up.clone();
+        if block.lines.len() > 1 && block.lines.iter().all(|line| line.look_up == source) {
+            block.lines.iter_mut().for_each(|line| line.look_up.clear());
+            block.look_up = source;
+        }
+        if block.clause == clause {
+            block.clause.clear();
+        }
+    }
+    Part { title, clause, blocks }
+}
+
+/// The clause of more than half of the lines; empty without one.
+fn common(lines: &[LineView]) -> String {
+    let of = |clause: &str| lines.iter().filter(|line| line.clause == clause).count();
+    let most = lines.iter().map(|line| &line.clause).find(|clause| 2 * of(clause) > lines.len());
+    most.filter(|_| lines.len() > 1).cloned().unwrap_or_default()
 }
 
 /// Lines of a part, those that repeat set as one: three or more without formula with the same symbol and unit, whose names or sources differ in one word.
@@ -300,13 +346,7 @@ fn merged(lines: Vec<LineView>) -> Vec<LineView> {
             (Some(name), Some(look_up)) if group.len() > 2 => {
                 let values: Vec<&str> = group.iter().map(|l| l.value.as_str()).collect();
                 let value = values.join("; ");
-                out.extend(group.into_iter().next().map(|first| LineView {
-                    name,
-                    look_up,
-                    value,
-                    many: true,
-                    ..first
-                }));
+                out.extend(group.into_iter().next().map(|first| LineView { name, look_up, value, ..first }));
             }
             _ => out.extend(group),
         }
@@ -371,7 +411,6 @@ mod tests {
             unit: "mm",
             clause: "A.9".into(),
             short: true,
-            many: false,
         }
     }
 
@@ -416,6 +455,56 @@ mod tests {
                 ("another uplift", "9"),
             ]
         );
+    }
+
+    /// Given values share a line as long as they are of one clause; a formula stands alone.
+    #[test]
+    fn given_values_of_one_clause_are_one_block() {
+        let of = |number: usize, clause: &str, short: bool| LineView {
+            clause: clause.into(),
+            short,
+            ..line(number, &format!("x_{number}"), "a value", "1")
+        };
+        let lines = || {
+            vec![
+                of(1, "input", true),
+                of(2, "input", true),
+                of(3, "A.9", true),
+                of(4, "A.9", false),
+                of(5, "A.9", true),
+            ]
+        };
+        let numbers = |part: &Part| -> Vec<Vec<usize>> {
+            part.blocks.iter().map(|b| b.lines.iter().map(|l| l.number).collect()).collect()
+        };
+        let clauses = |part: &Part| -> Vec<String> { part.blocks.iter().map(|b| b.clause.clone()).collect() };
+        let standard = part("Uplift".into(), lines());
+        assert_eq!(numbers(&standard), [vec![1, 2], vec![3], vec![4], vec![5]]);
+        assert_eq!(
+            (standard.clause.as_str(), clauses(&standard)),
+            ("A.9", ["input", "", "", ""].map(str::to_owned).into())
+        );
+        let full = whole("Uplift".into(), lines());
+        assert_eq!(numbers(&full), [vec![1], vec![2], vec![3], vec![4], vec![5]]);
+        assert_eq!(
+            (full.clause.as_str(), clauses(&full)),
+            ("", ["input", "input", "A.9", "A.9", "A.9"].map(str::to_owned).into())
+        );
+    }
+
+    /// A source that several values have in common stands behind them, once.
+    #[test]
+    fn a_common_source_is_named_once() {
+        let of = |number: usize, source: &str| LineView {
+            look_up: source.into(),
+            ..line(number, &format!("x_{number}"), "a value", "1")
+        };
+        let same = part("Uplift".into(), vec![of(1, "table A.2"), of(2, "table A.2")]);
+        assert_eq!(same.blocks[0].look_up, "table A.2");
+        assert!(same.blocks[0].lines.iter().all(|l| l.look_up.is_empty()));
+        let apart = part("Uplift".into(), vec![of(1, "table A.2"), of(2, "table A.3")]);
+        assert_eq!(apart.blocks[0].look_up, "");
+        assert_eq!(apart.blocks[0].lines[1].look_up, "table A.3");
     }
 
     #[test]

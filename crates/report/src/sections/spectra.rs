@@ -6,7 +6,7 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Rule};
 use crate::figure::{Figure, HALF, Room, WIDE, fourway};
 use crate::level::Level;
-use crate::number::{Scale, percent, significant};
+use crate::number::{Scale, significant};
 use crate::table::{Column, Table, columns, spread};
 use crate::words::figures::spectra as words;
 use files::error::Error;
@@ -103,7 +103,7 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
         table.row(row);
     }
     Ok(chart
-        .with_plot_height(190.0)
+        .with_plot_height(if source.level == Level::Full { 190.0 } else { 110.0 })
         .figure("spectrum_linear", words::LINEAR, table)?
         .captioned(words::LINEAR_CAPTION)
         .described(words::linear(end, curves.len())))
@@ -162,7 +162,7 @@ fn at(period: &[f64], values: &[f64], t: f64) -> Option<f64> {
 /// Spectral values at the tank's periods.
 fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     let gravity = source.results.tank.gravity;
-    let mut columns = columns!["Spectrum", "Damping" => ""];
+    let mut columns = columns!["Spectrum"];
     let periods = periods(source);
     for p in &periods {
         let head = format!("PSA at T{}{} = {} s", p.letter, p.number, significant(p.value, 3));
@@ -174,7 +174,7 @@ fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     }
     for c in curves {
         let scale = Scale::of(Dimension::Dimensionless, [0.1]);
-        let mut row = vec![c.title.clone(), percent(c.damping)];
+        let mut row = vec![c.title.clone()];
         for p in &periods {
             row.push(at(&c.period, &c.psa, p.value).map_or("–".into(), |a| scale.text(a / gravity)));
         }

@@ -45,7 +45,7 @@ pub fn peak(value: f64, dimension: Dimension, time: f64) -> String {
 
 /// Caption of a history without its static value; `between` is whether the peak lies between the samples.
 pub fn history(static_value: f64, dimension: Dimension, between: bool) -> String {
-    let mut caption = String::from("Over time, the largest value marked.");
+    let mut caption = String::from("The largest value is marked.");
     if static_value != 0.0 {
         caption.push_str(&format!(" Seismic part, without the static value {}.", with_unit(static_value, dimension)));
     }

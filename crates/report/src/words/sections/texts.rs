@@ -87,6 +87,7 @@ pub(super) const ALL: &[Words] = &[
         title: "Checks",
         sentences: &[
             ("utilisation", "Utilisation is demand over capacity; the tick on the bar marks 100 %."),
+            ("cover", "Why a check fails, is open or is accepted stands on the first page."),
             ("caption", "Limit states"),
             ("others", "Methods that do not decide"),
         ],
@@ -98,7 +99,8 @@ pub(super) const ALL: &[Words] = &[
             ("defaults", "*: default; the full report has its source."),
             (
                 "forces",
-                "t: as built; N_h, N_i, N_c, N_v: hoop forces of the static, impulsive, convective and vertical pressure at the height z where the                  course is used most; σ and its limit as the sheet of the method takes them. –: the method does not give it.",
+                "t: as built; N_h, N_i, N_c, N_v: hoop forces of the static, impulsive, convective and vertical pressure at the height z where the \
+                 course is used most; σ and its limit as the sheet of the method takes them. –: the method does not give it.",
             ),
         ],
     },
@@ -265,6 +267,7 @@ pub(super) const ALL: &[Words] = &[
         sentences: &[
             ("record", "the sheet for the record"),
             ("from", "from"),
+            ("beside", "A clause beside a heading is that of the lines below it that name none."),
             (
                 "others",
                 "The sheets of the procedures that do not decide are in the full report: `tankcheck report FOLDER --report full`.",
