@@ -66,7 +66,7 @@ pub(crate) fn find() -> Result<PathBuf, Error> {
 }
 
 /// Whether a program is installed.
-pub(crate) fn starts(program: &Path) -> bool {
+fn starts(program: &Path) -> bool {
     let mut command = Command::new(program);
     command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())

@@ -290,17 +290,11 @@ fn converted(report: &Report) -> Result<Vec<u8>, Error> {
     let folder = tempfile::Builder::new().prefix("tankcheck-").tempdir().map_err(|e| failed(e.to_string()))?;
     let place = folder.path();
     let document = document(report);
-    let put = |path: &Path, text: &str| std::fs::write(path, text).map_err(|e| failed(e.to_string()));
+    let put = |path: &Path, bytes: &[u8]| std::fs::write(path, bytes).map_err(|e| failed(e.to_string()));
     std::fs::create_dir(place.join("figures")).map_err(|e| failed(e.to_string()))?;
-    put(&place.join("report.html"), &document.html)?;
-    for (name, svg) in &document.figures {
-        put(&place.join(name), svg)?;
-    }
-    if !browser::starts(Path::new("rsvg-convert")) {
-        say!(
-            "warning: rsvg-convert is not installed (Debian: librsvg2-bin): the document has its figures as SVG alone, which many text \
-             processors do not show"
-        );
+    put(&place.join("report.html"), document.html.as_bytes())?;
+    for (name, bytes) in &document.figures {
+        put(&place.join(name), bytes)?;
     }
     let run = Command::new("pandoc")
         .args([

@@ -1,17 +1,18 @@
 //! The report for a converter to text documents (pandoc): figures are files of their own, and what is for the screen alone is left out.
 
 use crate::Report;
+use crate::figure::emf::emf;
 use crate::figure::plain::plain;
 
 /// A page whose figures are files in a folder next to it.
 pub struct Document {
     /// The page.
     pub html: String,
-    /// Figures: name within the folder of the page, and SVG that needs no style sheet.
-    pub figures: Vec<(String, String)>,
+    /// Figures: name within the folder of the page, and a metafile.
+    pub figures: Vec<(String, Vec<u8>)>,
 }
 
-/// The document of a report; figures are named `figures/….svg`.
+/// The document of a report; figures are named `figures/….emf`.
 pub fn document(report: &Report) -> Document {
     let page = cut(&report.html, "<nav class=\"contents\"", "</nav>");
     let page = cut(&page, "<style>", "</style>");
@@ -19,14 +20,19 @@ pub fn document(report: &Report) -> Document {
     let page = cut(&page, "<details>", "</details>");
     Document {
         html: spread(&linked(&page)),
-        figures: report.figures.iter().map(|(name, svg)| (format!("figures/{name}"), file(svg))).collect(),
+        figures: report.figures.iter().map(|(name, svg)| (place(name.trim_end_matches(".svg")), file(svg))).collect(),
     }
 }
 
-/// A figure's file with its looks in its elements.
-fn file(svg: &str) -> String {
+/// The place of a figure.
+fn place(name: &str) -> String {
+    format!("figures/{name}.emf")
+}
+
+/// A figure's file.
+fn file(svg: &str) -> Vec<u8> {
     let css = svg.split_once("<style>").and_then(|(_, rest)| rest.split_once("</style>")).map_or("", |(css, _)| css);
-    plain(svg, css)
+    emf(&plain(svg, css))
 }
 
 /// Without everything from `open` to `close`, each time.
@@ -63,7 +69,7 @@ fn linked(page: &str) -> String {
             Some("third") => "5.3cm",
             _ => "16cm",
         };
-        out.push_str(&format!("<img src=\"figures/{}.svg\" alt=\"{title}\" width=\"{width}\">", crate::file_name(id)));
+        out.push_str(&format!("<img src=\"{}\" alt=\"{title}\" width=\"{width}\">", place(&crate::file_name(id))));
         rest = after;
     }
     out.push_str(rest);
@@ -156,8 +162,9 @@ mod tests {
         let found = document(&report);
         assert_eq!(
             found.html,
-            "<figure class=\"half\" id=\"fig-a\"><div><img src=\"figures/a_1.svg\" alt=\"A &amp; B\" width=\"8cm\"></div></figure><p>text</p>"
+            "<figure class=\"half\" id=\"fig-a\"><div><img src=\"figures/a_1.emf\" alt=\"A &amp; B\" width=\"8cm\"></div></figure><p>text</p>"
         );
-        assert_eq!(found.figures, [("figures/a_1.svg".into(), "<svg style=\"fill:red\"></svg>".into())]);
+        let [(name, bytes)] = found.figures.as_slice() else { panic!("{} figures", found.figures.len()) };
+        assert_eq!((name.as_str(), &bytes[40..44]), ("figures/a_1.emf", &b" EMF"[..]));
     }
 }

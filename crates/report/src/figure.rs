@@ -11,6 +11,7 @@ pub mod cells;
 pub mod chart;
 pub mod cracks;
 pub mod decimate;
+pub mod emf;
 pub mod fourway;
 pub mod map;
 pub mod perimeter;
