@@ -159,6 +159,32 @@ fn oil_tank_vertical_motion() {
     }
 }
 
+/// Hoop forces of the courses: pressure times 15 m at the lower edge. N_h by hand, 900·9.81·15 = 132.435 kN/m for each metre of depth; at the base
+/// the pressures of the example, 83.74, 1.81 (annex A) and 72.66 kPa, and σ = (105.95 + 83.74 + 1.81 + 0.3·72.66)·15/0.014.
+#[test]
+fn oil_tank_courses() {
+    let mut case = oil_tank();
+    case.site.ec8 = Some(Ec8Site { vertical: true, ..site() });
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    assert_eq!(a.courses.len(), 6);
+    for (course, depth, thickness) in
+        [(1, 12.0, 0.014), (2, 9.6, 0.012), (3, 7.2, 0.010), (4, 4.8, 0.008), (5, 2.4, 0.008)]
+    {
+        let found = &a.courses[course - 1];
+        assert_eq!(found.course, course);
+        close(found.z, 12.0 - depth, 1e-12);
+        close(found.thickness, thickness, 1e-12);
+        close(found.hydrostatic.unwrap(), 132.435e3 * depth, 1e-6);
+        close(found.limit.unwrap(), 235e6, 0.0);
+    }
+    let base = &a.courses[0];
+    close(base.impulsive.unwrap(), 15.0 * 83.74e3, 100.0);
+    close(base.convective.unwrap(), 15.0 * 1.8144e3, 5.0);
+    close(base.vertical.unwrap(), 15.0 * 72.66e3, 100.0);
+    close(base.stress, (105.948e3 + 83.736e3 + 1.8144e3 + 0.3 * 72.66e3) * 15.0 / 0.014, 1e4);
+    close(base.utilisation().unwrap(), base.stress / 235e6, 1e-12);
+}
+
 /// Axial force, hoop stress and stability at the base of the oil tank. The example's M = 189 997.7 kNm (1/T² branch) gives
 /// 268.79 kN/m and 20.25 MPa; annex A lowers M by 0.165 %: 268.35 kN/m, 20.22 MPa.
 #[test]

@@ -102,6 +102,34 @@ fn worked_example() {
     close(out.values[&Quantity::HoopStress], line(&out, "σ_s"), 0.0, "hoop stress");
 }
 
+/// Hoop forces of E.6.1.4 by hand with A_i = 0.244286, A_c = 0.066590 and A_v = 0.32148, each course at its lower edge. At the base, Y = 12 m:
+/// N_h = 4.9·0.9·12·30 = 1587.60 kN/m, N_i = 8.48·0.244286·0.9·30·12·½·tanh(2.165), N_c = 1.85·0.066590·0.9·900/cosh(1.472),
+/// N_v = 0.32148·1587.60/2.5; σ = (1587.60 + √(326.87² + 43.50² + 204.15²))/14 mm. The limit is the lesser of 1.33·157 and 0.9·235 MPa.
+#[test]
+fn courses_have_their_hoop_forces() {
+    let out = assess(&case(), Excitation::Site);
+    let expected = [
+        (0.0, 0.014, [1587.600, 326.867, 43.504, 204.153], 141.1022),
+        (2.4, 0.012, [1270.080, 313.793, 45.403, 163.322], 135.5611),
+        (4.8, 0.010, [952.560, 274.569, 51.265, 122.492], 125.7552),
+        (7.2, 0.008, [635.040, 209.195, 61.603, 81.661], 108.4881),
+        (9.6, 0.008, [317.520, 117.672, 77.319, 40.831], 58.0153),
+    ];
+    for (course, (z, thickness, forces, stress)) in (1..).zip(expected) {
+        let own: Vec<_> = out.courses.iter().filter(|c| c.course == course).collect();
+        let [found] = own.as_slice() else { panic!("{} rows of course {course}", own.len()) };
+        close(found.z, z, 1e-12, "z");
+        close(found.thickness, thickness, 1e-12, "thickness");
+        let parts = [found.hydrostatic, found.impulsive, found.convective, found.vertical];
+        for ((part, force), name) in parts.into_iter().zip(forces).zip(["N_h", "N_i", "N_c", "N_v"]) {
+            close(part.unwrap(), 1e3 * force, 10.0, name);
+        }
+        close(found.stress, 1e6 * stress, 2e3, "σ");
+        close(found.limit.unwrap(), 208.81e6, 1.0, "limit");
+        close(found.utilisation().unwrap(), stress / 208.81, 1e-5, "utilisation");
+    }
+}
+
 /// Linear compression of the example, 5.6024 MPa, and the uplift if anchored with the same A_i: 48 968.7 N/m. R_wi = 4
 /// instead of 3.5 is undone by S_s.
 #[test]
