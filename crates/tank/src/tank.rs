@@ -19,7 +19,7 @@ pub use foundation::{Foundation, FoundationKind};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
-pub use parts::{Attachment, Insulation, Pipes, Ring, Roof, RoofKind, SnowLoad};
+pub use parts::{Attachment, Insulation, Pipes, RimSupport, Ring, Roof, RoofKind, SnowLoad};
 pub use plane::PLANE_WALLS;
 
 use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};

@@ -57,7 +57,7 @@ pub(crate) fn assumptions(case: &Case, plates: bool, isolated: bool) -> Vec<Stri
             if case.tank.support == Support::Unanchored {
                 out.push(IN_CONTACT.to_owned());
             }
-            if case.tank.roof.mass > 0.0 {
+            if case.tank.roof.mass > 0.0 && case.tank.roof.holds.is_free() {
                 out.push(
                     "The roof is a ring of mass on the top edge, its centre joined rigidly to the edge; it does not \
                      stiffen the wall."

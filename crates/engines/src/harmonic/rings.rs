@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! ring    2 U = c [E A ε² + E I κ²]              ε = (m v + w)/R      κ = (1 − m²) w/R²
+//! round   2 U = c/R k (w² + v²)                  m = 1: c/R k (w + v)²/2, what is left of a translation
 //! mass    2 T = c/P m_a (u̇² + v̇² + ẇ²)           P: length of the wall in plan, over which m_a is spread
 //! ```
 //!
@@ -18,15 +19,25 @@ use fem::linalg::Matrix;
 
 use super::assembly::element_unknowns;
 use super::wall::{LocalRow, NODAL, NODE, Wall, displacements};
+use crate::fittings::round_rim;
 
-/// A ring or an attachment.
+/// A ring, an attachment, or a roof that keeps the rim round.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fitting {
     height: f64,
-    /// Mass of all of it [kg].
+    /// Mass of all of it but the roof's [kg].
     mass: f64,
+    stiffness: Stiffness,
+}
+
+/// What a fitting resists.
+#[derive(Clone, Copy, Debug)]
+enum Stiffness {
+    None,
     /// E A [N] and E I [N·m²] of a ring.
-    ring: Option<[f64; 2]>,
+    Ring([f64; 2]),
+    /// k by angle of a round rim [N/m].
+    Round(f64),
 }
 
 /// A fitting on its element of a wall.
@@ -45,11 +56,14 @@ impl Fitting {
     pub(super) fn all(tank: &Tank) -> Vec<Fitting> {
         let stiffness = tank.rings.iter().map(|ring| {
             let young = ring.material.youngs_modulus;
-            Some([young * ring.area, young * ring.inertia])
+            Stiffness::Ring([young * ring.area, young * ring.inertia])
         });
         // Attachments follow the rings.
-        let stiffness = stiffness.chain(std::iter::repeat(None));
-        tank.carried().zip(stiffness).map(|((mass, height), ring)| Fitting { height, mass, ring }).collect()
+        let stiffness = stiffness.chain(std::iter::repeat(Stiffness::None));
+        let all = tank.carried().zip(stiffness).map(|((mass, height), stiffness)| Fitting { height, mass, stiffness });
+        let rim =
+            round_rim(tank).map(|k| Fitting { height: tank.wall_height(), mass: 0.0, stiffness: Stiffness::Round(k) });
+        all.chain(rim).collect()
     }
 
     pub(super) fn on(&self, wall: &Wall, tank: &Tank) -> Placed {
@@ -58,18 +72,19 @@ impl Fitting {
         let [_, v, w] = &shapes;
         let (m, k) = (wall.wave, wall.curvature);
         let row = |f: &dyn Fn(usize) -> f64| -> LocalRow { std::array::from_fn(f) };
-        let strains = self.ring.filter(|_| k > 0.0).map(|[extension, bending]| {
-            [
+        let strains = match self.stiffness {
+            _ if k == 0.0 => Vec::new(),
+            Stiffness::None => Vec::new(),
+            Stiffness::Ring([extension, bending]) => vec![
                 (wall.factor * extension, row(&|i| k * (m * v[i] + w[i]))),
                 (wall.factor * bending, row(&|i| k * k * (1.0 - m * m) * w[i])),
-            ]
-        });
-        Placed {
-            element,
-            mass: self.mass * wall.factor / tank.perimeter(),
-            strains: strains.into_iter().flatten().collect(),
-            shapes,
-        }
+            ],
+            Stiffness::Round(stiffness) if m == 1.0 => {
+                vec![(0.5 * wall.factor * k * stiffness, row(&|i| v[i] + w[i]))]
+            }
+            Stiffness::Round(stiffness) => [w, v].map(|field| (wall.factor * k * stiffness, *field)).to_vec(),
+        };
+        Placed { element, mass: self.mass * wall.factor / tank.perimeter(), strains, shapes }
     }
 
     /// Adds mass and stiffness to the matrices of all unknowns.
@@ -171,6 +186,27 @@ mod tests {
             let exact = PI * radius * bending * (wave * wave - 1.0).powi(2);
             assert!((found / exact - 1.0).abs() < 1e-9, "n = {n}: {found} {exact}");
         }
+    }
+
+    /// A roof that keeps the rim round holds all waves but the first: the lowest mode of eight waves of an open tank rises by more than a
+    /// half, and the bulging mode of the beam moves by less than the extension of its edge, 0.5 %.
+    #[test]
+    fn a_round_rim_holds_the_waves() {
+        let mut case = crate::harmonic::test_tanks::case(
+            tank::Shape::Cylinder { radius: 10.0 },
+            &[(10.0, 8e-3)],
+            (210e9, 0.3, 7850.0),
+            (1000.0, 6.0),
+        );
+        let lowest = |case: &Case, n: u32| {
+            let modes = crate::modes(case, &Options::default(), &[n], 1).unwrap();
+            modes.iter().find(|m| m.kind == "structural").unwrap().omega
+        };
+        let free = [1, 8].map(|n| lowest(&case, n));
+        case.tank.roof.holds = tank::RimSupport::Round;
+        let round = [1, 8].map(|n| lowest(&case, n));
+        assert!(round[1] > 1.5 * free[1], "{free:?} {round:?}");
+        assert!((round[0] / free[0] - 1.0).abs() < 5e-3, "{free:?} {round:?}");
     }
 
     /// The masses are in the balance, the weights in the static axial force, and a ring takes part of the pressure.

@@ -355,15 +355,16 @@ fn assumptions(plan: &Plan) -> Vec<String> {
          suction: on the side away from the compression the sum of impulsive and hydrostatic pressure is never below zero, so \
          that shear and moment grow more slowly than the acceleration. The formulas do not include this."
             .into(),
-        match case.tank.rings.is_empty() {
+        match case.tank.rings.is_empty() && case.tank.roof.holds.is_free() {
             true => format!(
                 "Half the wall between planes of symmetry, {foot}, free at its top: a roof is mass without stiffness. A buckle of the edge \
                  on the side away from the compression, above the liquid, is that of a wall without ring or roof; a ring can be given as a \
                  separate course."
             ),
-            false => format!(
+            false if case.tank.roof.holds.is_free() => format!(
                 "Half the wall between planes of symmetry, {foot}, held by its stiffening rings alone: a roof is mass without stiffness."
             ),
+            false => format!("Half the wall between planes of symmetry, {foot}."),
         },
         "Steel of nominal strength; transverse shear of the elements is elastic, and tearing is not modelled.".into(),
         "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
@@ -385,6 +386,9 @@ fn assumptions(plan: &Plan) -> Vec<String> {
                 true => {
                     "The foot of the wall is kept a plane, as in the strips: its uplift is w₀ + ψ R cos θ. A tank with a free top lifts more \
                      at the same moment."
+                }
+                false if !case.tank.roof.holds.is_free() => {
+                    "The rim stays round, which leaves a foot that warps next to nothing, as in the strips."
                 }
                 false => {
                     "The foot warps where the top of the wall is free: its uplift is larger on a shorter arc, and its moment at a \

@@ -1,4 +1,4 @@
-//! Rings of nodes that are stiff in themselves: stiffening rings and wind girders.
+//! Rings of nodes that are stiff in themselves: stiffening rings and wind girders, and rims that a roof keeps round.
 //!
 //! ```text
 //! 2 U = ∫ [E A ε² + E I κ²] R dθ         ε = (v_θ + w)/R         κ = (w_θθ + w)/R²
@@ -8,6 +8,9 @@
 //! the nodes, where the slope of a spline is of fourth order, so that waves that bend the ring do not stretch it; κ² is integrated exactly,
 //! too small by (n h)⁴/720 for n waves on nodes h apart. Translations in the plane are taken out of both, so that they cost nothing at all;
 //! tilts have neither w nor v.
+//!
+//! A round rim is a disc that is rigid in its plane: 2 U = k ∫ |d − d_r|² dθ of the displacements d in the plane, with the translation and the
+//! turn d_r next to them. It moves and tilts freely, and leaves the displacements along the axis alone.
 //!
 //! Linear and elastic: the turning of a ring as a whole must stay small (its ε is wrong by ψ²/2). Its axis lies in the surface of the
 //! wall; torsion, bending out of the plane and eccentricity are left out.
@@ -26,6 +29,7 @@ use tank::Tank;
 use super::roof::RoofRing;
 use crate::FeError;
 use crate::error::failure;
+use crate::fittings::round_rim;
 
 /// Nodes around the z axis with their angles, ascending from 0: the full circle, or the half of it up to π with motions that are
 /// symmetric about that plane.
@@ -136,6 +140,28 @@ impl StiffRing {
     }
 }
 
+impl StiffRing {
+    /// A rim that stays round, of stiffness k by angle [N/m].
+    pub(crate) fn round(circle: &Circle, stiffness: f64) -> StiffRing {
+        let whole = circle.whole();
+        let (arcs, n) = (arcs(&whole), whole.len());
+        let mut strains = Matrix::zeros(2 * n, 2 * n);
+        for j in 0..n {
+            let root = (0.5 * stiffness * (arcs[j] + arcs[(j + n - 1) % n])).sqrt();
+            strains.add(j, j, root);
+            strains.add(n + j, n + j, root);
+        }
+        without_translations(&whole, &arcs, &mut strains);
+        let turn = Matrix { rows: 2 * n, cols: 1, data: (0..2 * n).map(|i| f64::from(i >= n)).collect() };
+        let share = |j: usize| 0.5 * (arcs[j] + arcs[(j + n - 1) % n]) / TAU;
+        let mean = (0..2 * n).map(|i| if i >= n { share(i - n) } else { 0.0 }).collect();
+        let change = product(&product(&strains, &turn), &Matrix { rows: 1, cols: 2 * n, data: mean });
+        strains.data.iter_mut().zip(&change.data).for_each(|(s, c)| *s -= c);
+        let rows = circle.on_nodes(&whole, &strains);
+        StiffRing { nodes: circle.nodes.clone(), stiffness: transposed_product(&rows, &rows) }
+    }
+}
+
 /// Takes the mean translation of the nodes out of the field that strains are of.
 fn without_translations(angles: &[f64], arcs: &[f64], strains: &mut Strains) {
     let n = angles.len();
@@ -207,7 +233,7 @@ pub(crate) fn add_fittings(
     add_beams(tank, levels, circle, group, builder)
 }
 
-/// Adds the stiffness of the rings of a round tank.
+/// Adds the stiffness of the rings of a round tank, and of a rim that its roof keeps round.
 ///
 /// Errors: nodes that coincide.
 pub(crate) fn add_beams(
@@ -217,6 +243,9 @@ pub(crate) fn add_beams(
     group: &str,
     builder: &mut Builder,
 ) -> Result<(), FeError> {
+    if let Some(stiffness) = round_rim(tank) {
+        builder.element(group, StiffRing::round(&circle(levels.len() - 1), stiffness));
+    }
     for ring in &tank.rings {
         let young = ring.material.youngs_modulus;
         let beam = StiffRing::beam(&circle(level_at(levels, ring.height)), [young * ring.area, young * ring.inertia]);
@@ -295,6 +324,35 @@ mod tests {
                 all.push(energy(&circle, |_| [0.0, 1.0]));
             }
             assert!(all.iter().all(|e| e.abs() < 1e-9 * stretched), "{all:?} {stretched}");
+        }
+    }
+
+    /// A round rim has k π (w² + v²) of every wave beyond the first, and of expansion; of w cos θ half, the rest of which is a translation.
+    #[test]
+    fn a_round_rim_moves_as_a_disc() {
+        for (circle, whole) in [(circle(56, false, 1.0), 1.0), (circle(49, true, 1.3), 0.5)] {
+            let ring = StiffRing::round(&circle, 2e6);
+            let energy = |field: &dyn Fn(f64) -> [f64; 2]| {
+                let x: Vec<f64> = circle
+                    .angles
+                    .iter()
+                    .flat_map(|a| {
+                        let (s, c) = a.sin_cos();
+                        let [w, v] = field(*a);
+                        [c * w - s * v, s * w + c * v, 0.3 * c]
+                    })
+                    .collect();
+                fem::linalg::dot(&x, &ring.stiffness.times(&x))
+            };
+            let scale = whole * PI * 2e6;
+            assert!(energy(&|a| [a.cos(), -a.sin()]).abs() < 1e-9 * scale);
+            assert!(energy(&|a| [a.sin(), a.cos()]).abs() < 1e-9 * scale || circle.half);
+            assert!(energy(&|_| [0.0, 1.0]).abs() < 1e-9 * scale || circle.half);
+            let expansion = energy(&|_| [1.0, 0.0]) / (2.0 * scale) - 1.0;
+            assert!(expansion.abs() < 1e-5, "{expansion:e}");
+            assert!((energy(&|a| [a.cos(), 0.0]) / (0.5 * scale) - 1.0).abs() < 1e-2);
+            let wave = energy(&|a| [(3.0 * a).cos(), -(3.0 * a).sin() / 3.0]);
+            assert!((wave / (scale * (1.0 + 1.0 / 9.0)) - 1.0).abs() < 2e-2, "{wave}");
         }
     }
 

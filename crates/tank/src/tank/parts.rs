@@ -69,6 +69,9 @@ pub struct Roof {
     /// Height of a floating roof's rim and seal above the level of the liquid [m].
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rim: f64,
+    /// What it does to the top edge of the wall.
+    #[serde(default, skip_serializing_if = "RimSupport::is_free")]
+    pub holds: RimSupport,
 }
 
 /// Snow on a roof.
@@ -132,6 +135,23 @@ impl Roof {
     /// Height of the centre of mass [m] on a wall of this height [m].
     pub(super) fn centre(&self, wall: f64) -> f64 {
         self.height.unwrap_or_else(|| wall + self.kind.centre() * self.rise.unwrap_or(0.0))
+    }
+}
+
+words! {
+    /// What the roof does to the top edge of the wall.
+    pub RimSupport: Free {
+        /// It keeps it round, as a cone or dome does.
+        Round = "round",
+        /// Nothing.
+        Free = "free",
+    }
+}
+
+impl RimSupport {
+    /// Whether it does nothing.
+    pub fn is_free(&self) -> bool {
+        *self == RimSupport::Free
     }
 }
 
