@@ -35,6 +35,7 @@ mod stand;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod warp;
 
 pub use anchors::{Anchors, Bolts, Cost, Pull, Ring};
 pub use curve::Curve;
@@ -50,3 +51,4 @@ pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
 pub use stand::{PlatePoint, Stand, Stands};
 pub use strip::{Plan, Rim, Strip};
+pub use warp::Warping;

@@ -95,6 +95,21 @@ impl Rocking {
         Rocking { weight: self.weight + more, ..self.clone() }
     }
 
+    /// Weight of wall and roof [N/m].
+    pub(crate) fn line_weight(&self) -> f64 {
+        self.weight
+    }
+
+    /// F(w) at the angle whose cosine is given, under a bottom pressure that is lower by `suction` times it [Pa].
+    pub(crate) fn hold_down_at(&self, uplift: f64, cosine: f64, suction: f64) -> f64 {
+        self.hold_down(uplift, self.pressure() - suction * cosine)
+    }
+
+    /// Uplifts for which the law is known [m].
+    pub(crate) fn known(&self) -> (f64, f64) {
+        self.range()
+    }
+
     /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
     fn hold_down(&self, uplift: f64, pressure: f64) -> f64 {
         if self.curves.len() == 1 {

@@ -20,6 +20,8 @@ mod limits;
 mod load;
 mod model;
 mod path;
+#[cfg(test)]
+mod rim_study;
 mod seen;
 #[cfg(test)]
 mod tests;
