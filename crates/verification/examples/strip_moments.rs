@@ -49,6 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         levels: levels([2.57, 3.0], [wet, dry], 1.0)?,
         sections: std::iter::repeat_n(Arc::new(section), wet + dry).collect(),
         shells: None,
+        carried: Vec::new(),
         options: Options::default(),
         base_spring: None,
         liquid: StripLiquid::new(2.5, 2.57, 1019.4),

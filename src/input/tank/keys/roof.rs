@@ -3,7 +3,7 @@
 use files::code::Code;
 use tank::units::{Dimension, display};
 use tank::value::Value;
-use tank::{RoofKind, SIZE, Shape, Snow, SnowLoad};
+use tank::{RimSupport, RoofKind, SIZE, Shape, Snow, SnowLoad};
 
 use crate::input::diagnostic::Faults;
 use crate::input::tank::choice::{choice, one_of_words, words};
@@ -55,12 +55,16 @@ object! {
         /// Live load of the roof on plan. No code counts a share of it with the earthquake: ψ_2 = 0 for roofs in EN 1990 table A1.1
         /// (category H), and W_r of API 650 E.2.2 has none.
         live_load ("1 kPa"): Opt<Stress> [LOAD],
+        /// What the roof does to the top edge of the wall of a cylinder, in the pushover, the solid and the nonlinear engine and in the modes that
+        /// oval the wall. A stiff wind girder on an open tank may count as round, any other is one of `tank.rings`. `base` and the lifting base
+        /// of the harmonic engine keep the edge round in either case.
+        holds ("round"): Opt<RimSupport> = Absent::Follows("round under a cone or dome, free otherwise"),
         /// Height of the rim and seal of a floating roof, external or internal, above the level of the liquid; the freeboard is less by it.
         rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],
     }
 }
 
-choice!(RoofKind);
+choice!(RoofKind, RimSupport);
 
 /// Snow, as written.
 #[derive(Clone, Copy, Debug)]
@@ -143,7 +147,8 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
     if kind == RoofKind::Floating {
         let message = "height does not apply to a floating roof";
         r.inapplicable(&given.height, message, "no height: the roof is on the liquid");
-        return tank::Roof { afloat: mass, kind, rim, ..tank::Roof::default() };
+        let holds = holds(r, given, kind, shape);
+        return tank::Roof { afloat: mass, kind, rim, holds, ..tank::Roof::default() };
     }
     if !floats {
         let message = "rim does not apply to a roof that does not float";
@@ -158,7 +163,9 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
         r.inapplicable(&given.snow_combination, message, "\"snow\": \"1.2 kPa\", or no snow_combination");
     }
     let (on_columns, columns) = columns(r, given, kind, shape);
+    let holds = holds(r, given, kind, shape);
     let roof = tank::Roof {
+        holds,
         mass,
         height: height(r, given, kind),
         kind,
@@ -178,6 +185,22 @@ pub(super) fn roof(r: &mut Resolver<'_>, stated: &Stated<Roof>, shape: Option<Sh
         ));
     }
     roof
+}
+
+/// What it does to the top edge of the wall.
+fn holds(r: &mut Resolver<'_>, given: &Roof, kind: RoofKind, shape: Option<Shape>) -> RimSupport {
+    if matches!(shape, Some(Shape::Rectangle { .. })) {
+        r.inapplicable(&given.holds, "holds does not apply to a rectangle", "a cylinder, or a roof without holds");
+        return RimSupport::Free;
+    }
+    let usual = match kind {
+        RoofKind::Cone | RoofKind::Dome => RimSupport::Round,
+        _ => RimSupport::Free,
+    };
+    given.holds.given.as_ref().map_or(usual, |field| {
+        r.echo_given(field);
+        field.value.unwrap_or(usual)
+    })
 }
 
 /// Height of the centre of mass [m], if it is given.
