@@ -7,6 +7,7 @@
 mod circular;
 mod domain;
 mod harmonic;
+pub mod large_wave;
 mod mesh;
 mod on_wall;
 mod potential;
