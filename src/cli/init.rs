@@ -1,12 +1,16 @@
 //! `tankcheck init`: a commented tank file or study file to start from.
 
+use std::path::Path;
+
 use clap::ValueEnum;
 
 use crate::cli::Global;
 use crate::cli::outfile::OutFile;
+use crate::cli::terminal::say;
 use crate::error::{EXIT_OK, Error};
 use crate::input::diagnostic::Source;
 use crate::input::tank::parse;
+use files::text::line;
 use tank::Support;
 use tank::case::Case;
 
@@ -18,7 +22,7 @@ Examples:
   tankcheck init --shape unanchored --out tank.json
   tankcheck init --shape rectangle > basin.json
   tankcheck init | tankcheck check -
-  tankcheck init --study > study.json")]
+  tankcheck init --study --out study.json         and the commands that make what it names")]
 pub(crate) struct Args {
     /// Shape of the tank.
     #[arg(long, value_enum, default_value_t = Shape::Cylinder)]
@@ -100,13 +104,31 @@ const GAS: f64 = 1e3;
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     args.out.put(if args.study { STUDY } else { args.shape.text() })?;
+    if let Some(file) = args.out.path().filter(|_| args.study) {
+        say!("next, in the folder of the file:");
+        for command in commands(file) {
+            say!("  {command}");
+        }
+    }
     Ok(EXIT_OK)
+}
+
+/// The commands that make what the study file names, as far as it is not there, and compute the study.
+fn commands(file: &Path) -> Vec<String> {
+    let beside = |name: &str| file.with_file_name(name).exists();
+    let name = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let tank = (!beside("tank.json")).then(|| "tankcheck init --out tank.json".to_owned());
+    let records = (!beside("records")).then(|| "tankcheck quake synth --target tank.json --out records/".to_owned());
+    let study = [
+        format!("tankcheck study plan {} --out farm/", line(&name)),
+        "tankcheck study run farm/".into(),
+        "tankcheck study merge farm/".into(),
+    ];
+    tank.into_iter().chain(records).chain(study).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::*;
     use crate::input::study;
 
@@ -120,7 +142,6 @@ mod tests {
             std::fs::write(path, text).unwrap();
         };
         write("tank.json", Shape::Cylinder.text());
-        write("farm.csv", "tag,tank.radius\nT1,7 m\n");
         write("records/a.csv", "time_s,acceleration_m_s2\n0,0\n0.01,1\n0.02,0\n");
         write("study.json", STUDY);
         let found = study::read(&folder.path().join("study.json")).unwrap();

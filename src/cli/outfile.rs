@@ -19,11 +19,16 @@ pub(crate) struct OutFile {
 }
 
 impl OutFile {
+    /// The file; none for standard output.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
     /// Writes the text into the file, whole or not at all, or prints it (`-` too).
     ///
     /// Errors: a file that exists, without --force; one that cannot be written.
     pub(crate) fn put(&self, text: &str) -> Result<(), Error> {
-        let Some(path) = self.out.as_deref().filter(|path| *path != Path::new("-")) else { return print(text) };
+        let Some(path) = self.path() else { return print(text) };
         if path.exists() && !(self.force && path.is_file()) {
             return Err(Error::input(
                 Code::FileTaken,

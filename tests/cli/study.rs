@@ -432,3 +432,33 @@ fn a_tank_without_any_capacity_is_merged() {
     let page = fs::read_to_string(path.join("out/report.html")).unwrap();
     assert!(page.contains("no capacity is left"));
 }
+
+/// `init --study` says which commands make what its file names and compute it; they run as written, and what is there is not made again.
+#[test]
+fn the_starter_runs_as_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let home = folder.path();
+    let started = tankcheck(home, &["init", "--study", "--out", "study.json"]);
+    assert!(started.status.success(), "{}", said(&started));
+    let text = String::from_utf8_lossy(&started.stderr).into_owned();
+    let commands: Vec<Vec<&str>> = text
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("tankcheck "))
+        .map(|c| c.split(' ').collect())
+        .collect();
+    assert_eq!(commands.len(), 5, "{text}");
+    // They are those of the file's own comment.
+    let file = fs::read_to_string(home.join("study.json")).unwrap();
+    for command in &commands {
+        assert!(file.contains(&format!("//   tankcheck {}\n", command.join(" "))), "{command:?}");
+        let run = tankcheck(home, command);
+        assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{command:?}: {}", said(&run));
+    }
+    let rows = fs::read_to_string(home.join("farm/rows.csv")).unwrap();
+    // One tank under seven records at twelve levels.
+    assert_eq!(rows.lines().filter(|line| !line.starts_with('#')).count(), 1 + 7 * 12, "{rows}");
+    assert!(home.join("farm/report.html").is_file());
+    let again = tankcheck(home, &["init", "--study", "--out", "study.json", "--force"]);
+    let text = String::from_utf8_lossy(&again.stderr).into_owned();
+    assert!(!text.contains("tankcheck init") && !text.contains("synth") && text.contains("study run farm/"), "{text}");
+}
