@@ -103,6 +103,7 @@ pub fn report(study: &Study) -> Result<Report, Error> {
     let _unit = Preferred::of(unit);
     let mut page = Builder::default();
     tanks(study, &mut page);
+    faults(study, &mut page);
     states(study, &mut page);
     if !study.curves.is_empty() {
         curves(study, &mut page)?;
@@ -113,7 +114,6 @@ pub fn report(study: &Study) -> Result<Report, Error> {
     if !study.records.is_empty() {
         records(study, &mut page)?;
     }
-    faults(study, &mut page);
     basis(study, &mut page);
     let templates = Templates::new(None)?;
     let css = templates.css("figure.css").to_owned();
