@@ -39,6 +39,9 @@ fn shown(text: &str) -> String {
     }
 }
 
+/// Largest relative difference of a utilisation from the quotient of demand and capacity that it is then written as.
+const SAME: f64 = 1e-9;
+
 /// Longest name of a sheet that spreadsheets take.
 const LONGEST: usize = 31;
 
@@ -56,6 +59,8 @@ enum Cell<'a> {
     Formula(&'a str, f64),
     /// A share, shown in percent.
     Share(f64),
+    /// A formula and its value, a share.
+    SharedBy(&'a str, f64),
     Whole(usize),
 }
 
@@ -89,6 +94,11 @@ impl Page<'_> {
                 Some(Cell::Share(value)) if value.is_finite() => {
                     let format = Format::new().set_num_format("0.0%");
                     self.sheet.write_number_with_format(self.row, column, value, &format)?;
+                }
+                Some(Cell::SharedBy(text, value)) => {
+                    let format = Format::new().set_num_format("0.0%");
+                    let formula = Formula::new(text).set_result(value.to_string());
+                    self.sheet.write_formula_with_format(self.row, column, formula, &format)?;
                 }
                 Some(Cell::Share(value)) => drop(self.sheet.write_string(self.row, column, utilisation(value))?),
                 Some(Cell::Number(_) | Cell::Formula(..)) => {}
@@ -233,6 +243,7 @@ fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
     for (method, check) in rows {
         let scale = Scale::single(check.dimension, [check.demand, check.capacity].into_iter().flatten());
         let number = |value: Option<f64>| value.map(|v| Cell::Number(scale.convert(v)));
+        let quotient = format!("=F{0}/G{0}", page.row + 1);
         page.cells([
             Some(Cell::Text(&method.title)),
             Some(Cell::Text(excitation(method))),
@@ -242,7 +253,12 @@ fn checks(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
             number(check.demand),
             number(check.capacity),
             check.demand.or(check.capacity).map(|_| Cell::Text(scale.symbol())),
-            check.ratio().map(Cell::Share),
+            check.ratio().map(|ratio| match check.demand.zip(check.capacity) {
+                Some((demand, capacity)) if (demand / capacity - ratio).abs() <= SAME * ratio => {
+                    Cell::SharedBy(&quotient, ratio)
+                }
+                _ => Cell::Share(ratio),
+            }),
             Some(Cell::Text(all_words::verdict::result(check))),
         ])?;
     }
