@@ -199,13 +199,15 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     context.insert("partings", &words::partings(ida));
     context.insert("departures", &words::departures(ida));
     context.insert("outside", &words::outside(ida));
-    let extremes = ida.runs.iter().map(|r| (Some(r.scale), r.extremes.as_slice()));
-    context.insert("extremes", &super::extremes::table(extremes));
+    let extremes = super::extremes::table(ida.runs.iter().map(|r| (Some(r.scale), r.extremes.as_slice())));
+    context.insert("extremes", &extremes);
     context.insert("moments", &ida.runs.iter().any(|r| r.section_moment.is_some()));
     context.insert("figures", &views);
     let mut body = Body::new(&templates, cover(ida), ida.tank.as_ref())?;
     for part in words::cover::PARTS {
-        body.part("ida.html", part, &mut context)?;
+        if part.0 != "extremes" || !extremes.rows.is_empty() {
+            body.part("ida.html", part, &mut context)?;
+        }
     }
     body.provenance(&ida.files, &ida.format, &ida.volatile)?;
     let css = templates.css("figure.css");

@@ -8,7 +8,12 @@ use results::{Ida, IdaRun};
 /// In the running head.
 pub const RUNNING: &str = "incremental dynamic analysis";
 /// Parts of the page: id and title.
-pub const PARTS: [(&str, &str); 3] = [("model", "Model and assumptions"), ("curves", "Curves"), ("runs", "Runs")];
+pub const PARTS: [(&str, &str); 4] = [
+    ("model", "Model and assumptions"),
+    ("curves", "Curves"),
+    ("runs", "Runs"),
+    ("extremes", "Extremes of both signs"),
+];
 
 /// `0.45 (1.54 m/s²)`: scale and peak of the ground.
 fn motion(run: &IdaRun) -> String {
