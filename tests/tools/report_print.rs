@@ -81,7 +81,7 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
             let sides: Vec<f64> = media.split_whitespace().filter_map(|n| n.parse().ok()).collect();
             assert!((sides[2] - 210.0 * MM).abs() < 1.0 && (sides[3] - 297.0 * MM).abs() < 1.0, "{media}");
         }
-        // The outline holds every heading with its page and height. Below each there is room for text: the margin of 18 mm
+        // The outline holds every heading with its page and height. Below each there is room for text: the margin of 11 mm
         // and at least 10 mm, 20 mm for the numbered headings of sections.
         let mut headings = 0;
         for item in text.split("<</Title ").skip(1) {
@@ -92,7 +92,7 @@ pub(crate) fn it_prints_to_clean_pages(program: &Path) {
             headings += 1;
             let title = item.split("/Dest").next().unwrap_or("");
             let numbered = title.trim_start().trim_start_matches('(').starts_with(|c: char| c.is_ascii_digit());
-            let least = if numbered { 38.0 } else { 28.0 };
+            let least = if numbered { 31.0 } else { 21.0 };
             assert!(height > least * MM, "{kind:?}: heading {title} at {height} pt");
         }
         assert!(headings > 10, "{headings} headings");
