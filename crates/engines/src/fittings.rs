@@ -17,7 +17,7 @@ const ROUND: f64 = 100.0;
 pub(crate) fn round_rim(tank: &Tank) -> Option<f64> {
     let top = tank.courses.last()?;
     let round = tank.roof.holds == RimSupport::Round && matches!(tank.shape, Shape::Cylinder { .. });
-    round.then(|| ROUND * top.material.youngs_modulus * top.thickness)
+    round.then_some(ROUND * top.material.youngs_modulus * top.thickness)
 }
 
 /// The assumptions, one sentence each; `nonlinear` engines say what their rings do not follow.

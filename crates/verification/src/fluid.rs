@@ -7,6 +7,7 @@ use crate::{Reference, Row};
 pub(crate) mod cylinder;
 pub(crate) mod disc;
 pub(crate) mod impulsive;
+pub(crate) mod large_wave;
 pub(crate) mod patch;
 pub(crate) mod rank;
 pub(crate) mod rectangle;

@@ -106,6 +106,7 @@ pub const ALL: &[&Benchmark] = &[
     &fluid::disc::BENCHMARK,
     &fluid::sloshing_box::BENCHMARK,
     &fluid::impulsive::BENCHMARK,
+    &fluid::large_wave::BENCHMARK,
     &dynamics::time_integration::BENCHMARK,
     &dynamics::rayleigh_damping::BENCHMARK,
     &dynamics::dashpots::BENCHMARK,

@@ -159,12 +159,12 @@ fn reading(record: &RecordChoice) -> Result<Reading, Error> {
         dt: record.dt,
         channel: record.channel.clone().filter(|text| !text.is_empty()),
         skip_lines: record.skip_lines.unwrap_or_default(),
-        columns: record.columns.as_ref().filter(|text| !text.is_empty()).map(columns).transpose()?,
+        columns: record.columns.as_ref().filter(|text| !text.is_empty()).map(|text| columns(text)).transpose()?,
         ..Reading::default()
     })
 }
 
-fn columns(text: &String) -> Result<Columns, Error> {
+fn columns(text: &str) -> Result<Columns, Error> {
     text.parse().map_err(|what| Error::value(format!("found the columns `{}`, {what}", text::line(text))))
 }
 
