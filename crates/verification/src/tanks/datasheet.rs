@@ -22,10 +22,10 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
             10.8 m, stairs of 2.4 t at 6 m, ladder of 300 kg at 7 m, platform of 800 kg at 12 m, insulation of 15 kg/m²; cone roof of 60 t with \
             a rise of 1.25 m on columns whose outermost ring is at 8 m, snow of 1.2 kPa; g = 9.81 m/s².",
     ids: &[
-        ("W1", "share of the roof's weight on the wall"),
-        ("W2", "masses and their moments"),
-        ("W3", "API 650: W_r, w_rs and w_t with snow"),
-        ("W4", "EN 1998: m_r with ψ_E, and the weight that holds down"),
+        ("WG1", "share of the roof's weight on the wall"),
+        ("WG2", "masses and their moments"),
+        ("WG3", "API 650: W_r, w_rs and w_t with snow"),
+        ("WG4", "EN 1998: m_r with ψ_E, and the weight that holds down"),
     ],
     parts: &[Part::Fast(shares), Part::Fast(masses), Part::Fast(codes)],
 };
@@ -56,13 +56,13 @@ fn shares() -> Answer {
         .map(|ratio| {
             let reference = (by_squares(ratio), "sum over the plan, lever rule", Reference::SecondFormulation);
             let what = format!("outermost columns at {ratio} R");
-            Row::new("W1", what, reference, Roof::share_of_wall(ratio), (1e-4, ""))
+            Row::new("WG1", what, reference, Roof::share_of_wall(ratio), (1e-4, ""))
         })
         .collect();
     // A triangle of load on a simple beam brings two thirds to the end where it is largest.
     let reference = (2.0 / 3.0, "simple beam under a triangle of load", Reference::ClosedForm);
     let what = "one column in the middle, two thirds";
-    rows.push(Row::new("W1", what, reference, Roof::share_of_wall(0.0), (1e-12, "")));
+    rows.push(Row::new("WG1", what, reference, Roof::share_of_wall(0.0), (1e-12, "")));
     Ok(rows)
 }
 
@@ -135,13 +135,13 @@ fn masses() -> Answer {
     let tank = tank().tank;
     let (mass, moment) = tank.mass_above(0.0);
     Ok(vec![
-        by_hand("W2", "insulation, 15 kg/m² · 2π·20 m · 12 m", 22_619.467_11, tank.insulation_mass(), "kg"),
-        by_hand("W2", "wall with rings, attachments and insulation", 154_753.863_3, tank.wall_mass(), "kg"),
-        by_hand("W2", "height of its centre", 5.635_194_181, tank.wall_centroid(), "m"),
-        by_hand("W2", "height of the roof, 12 m + 1.25 m/3", 12.416_666_67, tank.roof_height(), "m"),
-        by_hand("W2", "wall and roof, what moves", 154_753.863_3 + 60e3, mass, "kg"),
-        by_hand("W2", "its moment about the bottom", 872_068.069_8 + 60e3 * 12.416_666_67, moment, "kg·m"),
-        by_hand("W2", "wall and roof, what the wall carries", 154_753.863_3 + 28.8e3, tank.weight_above(0.0), "kg"),
+        by_hand("WG2", "insulation, 15 kg/m² · 2π·20 m · 12 m", 22_619.467_11, tank.insulation_mass(), "kg"),
+        by_hand("WG2", "wall with rings, attachments and insulation", 154_753.863_3, tank.wall_mass(), "kg"),
+        by_hand("WG2", "height of its centre", 5.635_194_181, tank.wall_centroid(), "m"),
+        by_hand("WG2", "height of the roof, 12 m + 1.25 m/3", 12.416_666_67, tank.roof_height(), "m"),
+        by_hand("WG2", "wall and roof, what moves", 154_753.863_3 + 60e3, mass, "kg"),
+        by_hand("WG2", "its moment about the bottom", 872_068.069_8 + 60e3 * 12.416_666_67, moment, "kg·m"),
+        by_hand("WG2", "wall and roof, what the wall carries", 154_753.863_3 + 28.8e3, tank.weight_above(0.0), "kg"),
     ])
 }
 
@@ -158,10 +158,10 @@ fn codes() -> Answer {
     };
     let (api, eurocode) = (assess(&Api6502020)?, assess(&En2006)?);
     Ok(vec![
-        by_hand("W3", "W_r = g·60 t + 0.1·1.2 kPa·π·(20 m)²", 739_396.447_4, line(&api, "W_r")?, "N"),
-        by_hand("W3", "W_rs = 0.48·W_r", 354_910.294_7, line(&api, "W_rs")?, "N"),
-        by_hand("W3", "w_t = (W_s + W_rs)/(π·40 m)", 14_905.224_04, line(&api, "w_t")?, "N/m"),
-        by_hand("W4", "m_r = 60 t + 0.2·1.2 kPa·π·(20 m)²/g", 90_743.414_35, line(&eurocode, "m_r")?, "kg"),
-        by_hand("W4", "w_t, without snow", 14_329.224_04, line(&eurocode, "w_t")?, "N/m"),
+        by_hand("WG3", "W_r = g·60 t + 0.1·1.2 kPa·π·(20 m)²", 739_396.447_4, line(&api, "W_r")?, "N"),
+        by_hand("WG3", "W_rs = 0.48·W_r", 354_910.294_7, line(&api, "W_rs")?, "N"),
+        by_hand("WG3", "w_t = (W_s + W_rs)/(π·40 m)", 14_905.224_04, line(&api, "w_t")?, "N/m"),
+        by_hand("WG4", "m_r = 60 t + 0.2·1.2 kPa·π·(20 m)²/g", 90_743.414_35, line(&eurocode, "m_r")?, "kg"),
+        by_hand("WG4", "w_t, without snow", 14_329.224_04, line(&eurocode, "w_t")?, "N/m"),
     ])
 }
