@@ -219,7 +219,7 @@ fn layers() {
             "\"support\": \"anchored\",",
             "\"support\": \"anchored\", \"roof\": { \"mass\": \"1 t\", \"layers\": [] },",
         ),
-        &["tank.roof.layers", "unknown key `layers`", "type, mass, height, snow or rim"],
+        &["tank.roof.layers", "unknown key `layers`", "type, mass, height, rise, columns"],
     );
     has(&spoiled("\"25 cm\"", "\"25 kg\""), &["tank.courses[0].layers[2].thickness", "a mass", "found \"25 kg\""]);
 }

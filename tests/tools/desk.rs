@@ -358,6 +358,8 @@ pub(crate) fn records_are_kept_by_keyboard(chromium: &Path) {
     // Renamed, with the set.
     page.click("[...document.querySelectorAll('.rec-items button')].find(b => b.title === 'elcentro.csv')");
     page.wait("document.querySelector('.rec-detail h1')?.textContent === 'elcentro.csv'");
+    // The buttons move down while the file is read.
+    page.wait(&format!("{}?.innerText.includes('3.13 m/s²')", one(".rec-detail dl.facts")));
     page.click(&button("Rename"));
     page.wait("document.activeElement.selectionEnd === 8");
     page.types("far/imperial valley");

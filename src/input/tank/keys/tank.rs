@@ -44,7 +44,7 @@ object! {
         corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
         /// Design temperature of wall and bottom. Above 93 °C (carbon steel) or 40 °C (other metals) each material states its values there as
         /// `hot`.
-        design_temperature ("120 degC"): Opt<Temperature> [TEMPERATURE] = Absent::Follows("values at room temperature hold"),
+        design_temperature ("90 degC"): Opt<Temperature> [TEMPERATURE] = Absent::Follows("values at room temperature hold"),
         /// Joint between the wall of a concrete cylinder and its base.
         wall_base: Opt<WallBase> = Absent::Follows("fixed: the wall is monolithic with its base"),
         /// Mass on top of the wall. Without it, and without `"none"`, checks that need to know of a roof are open.
