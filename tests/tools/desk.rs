@@ -369,6 +369,7 @@ pub(crate) fn records_are_kept_by_keyboard(chromium: &Path) {
     assert!(!desk.folder.path().join("elcentro.csv").exists());
     assert_eq!(desk.text("set.json"), "{ \"records\": [{ \"along\": \"far/imperial valley.csv\" }] }\n");
     // Removed: what names it is asked about, and no other file goes.
+    page.wait(&format!("{}?.innerText.includes('3.13 m/s²')", one(".rec-detail dl.facts")));
     page.click(&button("Remove"));
     page.click("document.querySelector('dialog[open] button.danger')");
     page.wait("document.querySelector('dialog[open]')?.innerText.includes('set.json')");

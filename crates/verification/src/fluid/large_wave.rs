@@ -47,11 +47,14 @@ fn own(depth: f64, damping: f64, order: usize) -> Properties {
     Properties { depth, density: 1000.0, gravity: GRAVITY, damping, order }
 }
 
+/// η/R of linear theory, and the ratios of crest and trough to it.
+type Ratios = (f64, f64, f64);
+
 /// W1: the crests and troughs of section 1 of the theory.
 fn crests() -> Answer {
     let mut rows = Vec::new();
     let basis = Basis::cylinder(1.0, 4, Side::Cosine);
-    let table: [(f64, &[(f64, f64, f64)]); 6] = [
+    let table: [(f64, &[Ratios]); 6] = [
         (0.2, &[(0.025, 1.13, 0.91), (0.05, 1.31, 0.82), (0.1, 1.72, 0.67)]),
         (0.4, &[(0.025, 1.05, 0.95), (0.05, 1.12, 0.90), (0.1, 1.27, 0.82), (0.2, 1.61, 0.71)]),
         (0.6, &[(0.025, 1.03, 0.97), (0.05, 1.06, 0.95), (0.1, 1.14, 0.90), (0.2, 1.30, 0.82)]),
