@@ -360,7 +360,7 @@ pub(crate) fn records_are_kept_by_keyboard(chromium: &Path) {
     page.wait("document.querySelector('.rec-detail h1')?.textContent === 'elcentro.csv'");
     // The buttons move down while the file is read.
     page.wait(&format!("{}?.innerText.includes('3.13 m/s²')", one(".rec-detail dl.facts")));
-    page.click(&button("Rename"));
+    page.value(&format!("{}.click()", button("Rename")));
     page.wait("document.activeElement.selectionEnd === 8");
     page.types("far/imperial valley");
     page.key("Enter", 0);
@@ -370,14 +370,14 @@ pub(crate) fn records_are_kept_by_keyboard(chromium: &Path) {
     assert_eq!(desk.text("set.json"), "{ \"records\": [{ \"along\": \"far/imperial valley.csv\" }] }\n");
     // Removed: what names it is asked about, and no other file goes.
     page.wait(&format!("{}?.innerText.includes('3.13 m/s²')", one(".rec-detail dl.facts")));
-    page.click(&button("Remove"));
+    page.value(&format!("{}.click()", button("Remove")));
     page.click("document.querySelector('dialog[open] button.danger')");
     page.wait("document.querySelector('dialog[open]')?.innerText.includes('set.json')");
     page.click(&button("Cancel"));
     assert!(desk.folder.path().join("far/imperial valley.csv").exists());
     page.click("[...document.querySelectorAll('.rec-items button')].find(b => b.title === 'columns.txt')");
     page.wait("document.querySelector('.rec-detail h1')?.textContent === 'columns.txt'");
-    page.click(&button("Remove"));
+    page.value(&format!("{}.click()", button("Remove")));
     page.click("document.querySelector('dialog[open] button.danger')");
     page.wait("![...document.querySelectorAll('.rec-items button')].some(b => b.title === 'columns.txt')");
     assert!(!desk.folder.path().join("columns.txt").exists());
