@@ -92,7 +92,7 @@ pub trait Procedure: Sync {
     fn modal_action<'a>(&self, _case: &'a Case, _reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
         None
     }
-    /// Share of the snow load of the roof in the mass that it counts; [`Procedure::assess`] counts it whatever share the case has.
+    /// Share of the roof's snow load that it counts as mass. [`Procedure::assess`] puts this share in place of the one in the case.
     fn snow_share(&self, _case: &Case) -> f64 {
         0.0
     }

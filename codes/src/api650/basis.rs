@@ -15,12 +15,12 @@ use crate::roof::{self, LiveLoad};
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
 
-/// Modulus [Pa] by which the allowable compression of softer metals is scaled: 29 000 ksi.
+/// Modulus [Pa] by which the allowable compression of softer metals, and of steel that is hot, is scaled: 29 000 ksi.
 pub const REFERENCE_MODULUS: f64 = 200e9;
 
-/// Whether the allowable compression of a metal is scaled with its modulus: softer than steel, and not carbon steel.
+/// Whether the allowable compression of a metal is scaled with its modulus: it is softer than steel at room temperature.
 pub fn softer(material: &Material) -> bool {
-    material.is_metal() && !material.is(Family::CarbonSteel) && material.youngs_modulus < REFERENCE_MODULUS
+    material.is_metal() && material.youngs_modulus < REFERENCE_MODULUS
 }
 
 /// Tank and product as the standard sees them; weights in N.
@@ -162,9 +162,10 @@ impl<'a> Basis<'a> {
         if scales && softer(material) {
             out.assumptions.push(format!(
                 "The bottom course is {}: the allowable compression of steel is scaled by E/{}, which is on the safe side of similarity. \
-                 Yield strength and allowable stress must be those of annex S or AL at the design temperature, with the loss by welding.",
+                 Yield strength and allowable stress must be those of annex {} at the design temperature, with the loss by welding.",
                 material.family.map_or("a softer metal", Family::name),
-                with_unit(REFERENCE_MODULUS, tank::units::Dimension::Stress)
+                with_unit(REFERENCE_MODULUS, tank::units::Dimension::Stress),
+                if material.is(Family::CarbonSteel) { "M" } else { "S or AL" }
             ));
         } else if (modulus / STEEL - 1.0).abs() > 0.1 {
             out.notes.push(format!(

@@ -57,7 +57,7 @@ fn api_has_a_tenth_of_the_snow_and_the_part_on_the_shell() {
     near(line(&a, "V_i"), line(&a, "A_i") * (w_s + w_r + line(&a, "W_f") + line(&a, "W_i")));
     assert!(said(&a, "W_r of API 650:2020 E.2.2 has none") && said(&a, "Columns carry 52 %"));
     assert!(!said(&a, "The shell carries the whole roof"));
-    // Whatever share the case has, the procedure counts its own.
+    // The procedure replaces the share in the case by its own.
     let again = Api6502020.assess(&case.with_snow(0.7), Excitation::Site).unwrap();
     assert_eq!(a.values, again.values);
     let states = Api6502020.limit_states(&case);

@@ -130,6 +130,20 @@ fn courses_have_their_hoop_forces() {
     }
 }
 
+/// Buckling stresses are proportional to E: steel that is hot has 188/200 of the allowable compression, whose constants stand for steel at room
+/// temperature.
+#[test]
+fn hot_steel_buckles_earlier() {
+    let at = |modulus: f64| {
+        let mut case = case();
+        case.tank.courses.iter_mut().for_each(|course| course.material.youngs_modulus = modulus);
+        assess(&case, Excitation::Site)
+    };
+    let (cold, hot) = (at(200e9), at(188e9));
+    close(line(&hot, "F_C"), 0.94 * line(&cold, "F_C"), 1.0, "F_C");
+    assert!(hot.assumptions.iter().any(|text| text.contains("annex M")), "{:?}", hot.assumptions);
+}
+
 /// Linear compression of the example, 5.6024 MPa, and the uplift if anchored with the same A_i: 48 968.7 N/m. R_wi = 4
 /// instead of 3.5 is undone by S_s.
 #[test]
