@@ -153,7 +153,7 @@ impl Basis {
                 basis.projection[at] = basis.areas[p] * basis.value[at] / basis.norm[j];
             }
         }
-        // Of a half of cosines the points of the other half cancel the lever along y.
+        // With cosines alone the two halves of the plan cancel each other's lever along y.
         if basis.modes.iter().all(|mode| !mode.sine) {
             basis.lever[1].fill(0.0);
         }

@@ -142,26 +142,32 @@ impl Liquid {
         work: &mut Work,
         (elevation_rate, potential_rate): (&mut [f64], &mut [f64]),
     ) {
-        let n = elevation.len();
-        let basis = &self.basis;
-        let order = self.own.order;
-        let [z1, z2, z3, s1, s2, t1] = &mut work.coefficients;
-        for j in 0..n {
-            let k = basis.modes[j].wave_number;
+        let [z1, z2, z3, ..] = &mut work.coefficients;
+        for (j, mode) in self.basis.modes.iter().enumerate() {
+            let k = mode.wave_number;
             z1[j] = k * self.tanh[j] * potential[j];
             z2[j] = k * k * potential[j];
             z3[j] = k * k * z1[j];
         }
         work.orders.iter_mut().for_each(|order| order.fill(0.0));
-        if order == 1 {
-            elevation_rate.copy_from_slice(z1);
+        if self.own.order == 1 {
+            elevation_rate.copy_from_slice(&work.coefficients[0]);
             potential_rate.fill(0.0);
             self.watch(elevation, work);
             return;
         }
-        let [sum, other] = &mut work.sums;
-        let size = n * LANES;
+        self.second_order(elevation, potential, work);
+        self.third_order(work);
+        self.collected(work, elevation_rate, potential_rate);
+    }
 
+    /// Products of first-order fields, and the projection of the potential of second order.
+    #[inline(always)]
+    fn second_order(&self, elevation: &[f64], potential: &[f64], work: &mut Work) {
+        let basis = &self.basis;
+        let size = elevation.len() * LANES;
+        let [z1, z2, z3, s1, s2, _] = &mut work.coefficients;
+        let sum = &mut work.sums[0];
         sum.fill([0.0; LANES]);
         work.steepest = (0.0, 0);
         work.lowest = (0.0, 0);
@@ -191,19 +197,26 @@ impl Liquid {
             collect(&basis.projection[part], &second, sum);
         }
         total(sum, &mut work.orders[0]);
-
-        for j in 0..n {
-            let k = basis.modes[j].wave_number;
+        for (j, mode) in basis.modes.iter().enumerate() {
+            let k = mode.wave_number;
             s1[j] = k * self.tanh[j] * work.orders[0][j];
             s2[j] = k * k * work.orders[0][j];
         }
-        if order > 2 {
-            sum.fill([0.0; LANES]);
-        }
+    }
+
+    /// Derivatives of the second order, and the projection of the potential of third order, where that is asked for.
+    #[inline(always)]
+    fn third_order(&self, work: &mut Work) {
+        let basis = &self.basis;
+        let size = basis.modes.len() * LANES;
+        let third_too = self.own.order > 2;
+        let [.., s1, s2, t1] = &mut work.coefficients;
+        let sum = &mut work.sums[0];
+        sum.fill([0.0; LANES]);
         for (b, fields) in work.fields.iter_mut().enumerate() {
             let part = b * size..(b + 1) * size;
             fields.second = synthesise(&basis.value[part.clone()], [s1, s2]);
-            if order > 2 {
+            if third_too {
                 let mut third = [0.0; LANES];
                 for i in 0..LANES {
                     let eta = fields.elevation[i];
@@ -212,13 +225,22 @@ impl Liquid {
                 collect(&basis.projection[part], &third, sum);
             }
         }
-        if order > 2 {
+        if third_too {
             total(sum, &mut work.orders[1]);
-            for j in 0..n {
-                t1[j] = basis.modes[j].wave_number * self.tanh[j] * work.orders[1][j];
+            for (j, mode) in basis.modes.iter().enumerate() {
+                t1[j] = mode.wave_number * self.tanh[j] * work.orders[1][j];
             }
         }
+    }
 
+    /// The projected rates from the fields of all orders.
+    #[inline(always)]
+    fn collected(&self, work: &mut Work, elevation_rate: &mut [f64], potential_rate: &mut [f64]) {
+        let basis = &self.basis;
+        let size = basis.modes.len() * LANES;
+        let order = self.own.order;
+        let [z1, .., t1] = &work.coefficients;
+        let [sum, other] = &mut work.sums;
         sum.fill([0.0; LANES]);
         other.fill([0.0; LANES]);
         for (b, fields) in work.fields.iter().enumerate() {
@@ -237,7 +259,7 @@ impl Liquid {
                 let w2 = fields.second[0][i] + eta * fields.first[1][i];
                 let w3 = third[i] + eta * (fields.second[1][i] + 0.5 * eta * fields.first[2][i]);
                 let third = if order > 2 { w3 } else { 0.0 };
-                // W is cut at the order, its products with η and itself are not: closer to the next order than where they are.
+                // W is cut at the order; its products with η and with itself keep all terms, which is nearer to the next order.
                 let w = w1 + w2 + third;
                 rise[i] = w - w1 - mixed[i] + steep[i] * w;
                 push[i] = 0.5 * ((1.0 + steep[i]) * w * w - fast[i]);
@@ -247,8 +269,8 @@ impl Liquid {
         }
         total(sum, elevation_rate);
         total(other, potential_rate);
-        for j in 0..n {
-            elevation_rate[j] += z1[j];
+        for (rate, z) in elevation_rate.iter_mut().zip(z1) {
+            *rate += z;
         }
     }
 
