@@ -222,7 +222,7 @@ fn a_record_is_renamed_and_removed_but_not_silently() {
     let before = read("elcentro.csv").expect("a record");
     let was = stamp("elcentro.csv");
     // Outside, hidden, another ending, the place of another file, a record that is another one by now, or none.
-    for to in ["../elcentro.csv", "/tmp/elcentro.csv", ".elcentro.csv", "inner/../../x.csv"] {
+    for to in ["../elcentro.csv", "/elcentro.csv", ".elcentro.csv", "inner/../../x.csv"] {
         assert_eq!(rename("elcentro.csv", to, &was, true).status, 403, "{to}");
     }
     assert_eq!(rename("elcentro.csv", "elcentro.json", &was, true).status, 422);

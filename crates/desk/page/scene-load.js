@@ -1,4 +1,4 @@
-// A scene from its address, read by a thread of its own.
+// Reads a scene from its address in a worker thread.
 
 /** Resolves to the scene of scene-data.js, or to null where there is none. */
 export function loadScene(address) {

@@ -38,7 +38,7 @@ const LINGER = 20_000;
  * @param {{results(): Promise<object>, series(): Promise<object|null>, scene(): Promise<object|null>, report?: string, figures?(): Promise<{name, address}[]>,
  *   files?: {name: string, address: string}[], forms?: {title: string, make(): void}[]}} source `scene` resolves to that of scene-data.js, to null where the result holds none
  * @param {{settings: {language, units}, name?: string, tab?: string, onTab?(tab: string): void}} options
- * @returns `{repaint(), pause(), resume(), destroy(), tab}`: `repaint` after a change of light and dark; after other settings destroy and mount anew;
+ * @returns `{repaint(), pause(), resume(), destroy(), tab}`: `repaint` after a change of light and dark; after a change of other settings, destroy it and mount it again;
  *   `pause` while the viewer is not seen
  */
 export async function mount(element, source, options) {

@@ -130,7 +130,7 @@ impl Folder {
         }
     }
 
-    /// What tells two versions of a file from each other without reading it; none where there is no file.
+    /// Stamp of a file, which changes with its contents and needs no reading; none where there is no file.
     pub(crate) fn stamp(&self, relative: &str) -> Result<Option<String>, Refused> {
         let about = self.inside(relative)?.metadata().ok().filter(std::fs::Metadata::is_file);
         Ok(about.map(|about| stamp(&about)))
@@ -164,7 +164,7 @@ impl Folder {
             if !about.is_dir() {
                 continue;
             }
-            // Of results the manifest says all: it is written last.
+            // The manifest of a results folder is written last, so its time stands for the whole folder.
             match self.0.join(&path).join(files::MANIFEST_FILE).metadata() {
                 Ok(manifest) => manifest.modified().ok().hash(hasher),
                 Err(_) if depth < DEPTH => self.look(&path, depth + 1, left, hasher),

@@ -44,7 +44,7 @@ pub(crate) struct Renamed {
     path: String,
     to: String,
     was: String,
-    /// Whether the files that name it name it anew.
+    /// Whether the files that name it get the new name.
     #[serde(default)]
     named: bool,
 }
@@ -72,7 +72,8 @@ fn renamed(desk: &Arc<Desk>, asked: &Renamed) -> Result<Json<Value>, Fault> {
         return Err(in_use(&asked.path, &users));
     }
     // The new texts first: one that cannot be made leaves everything as it is.
-    let texts = users.iter().map(|(path, named)| anew(desk, path, named, &target)).collect::<Result<Vec<_>, _>>()?;
+    let texts =
+        users.iter().map(|(path, named)| with_new_name(desk, path, named, &target)).collect::<Result<Vec<_>, _>>()?;
     if let Some(folder) = target.parent() {
         std::fs::create_dir_all(folder).map_err(|e| unwritten(&asked.to, &e.to_string()))?;
     }
@@ -86,7 +87,7 @@ fn renamed(desk: &Arc<Desk>, asked: &Renamed) -> Result<Json<Value>, Fault> {
 }
 
 /// A file and its text with another name for what it names.
-fn anew(desk: &Desk, path: &str, named: &[Named], target: &FilePath) -> Result<(PathBuf, String), Fault> {
+fn with_new_name(desk: &Desk, path: &str, named: &[Named], target: &FilePath) -> Result<(PathBuf, String), Fault> {
     let place = desk.folder.inside(path)?;
     let mut text = files::read_text(&place).map_err(|e| unwritten(path, &e.to_string()))?;
     let new = relative(place.parent().unwrap_or(&place), target);

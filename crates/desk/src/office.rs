@@ -17,7 +17,7 @@ pub trait Office: Send + Sync {
     /// Errors: a command or an option that there is not, or that is not for the desk.
     fn admit(&self, command: &str, arguments: &[String]) -> Result<Vec<PathBuf>, Refused>;
 
-    /// The files that a tank, set, study or plan names, those of a pattern one by one; none for a text that is none of these.
+    /// The files that a tank, set, study or plan names, with each file that a pattern matches; none for any other text.
     ///
     /// * `from`: the file itself, from whose folder on they are found
     fn named(&self, from: &Path, text: &str) -> Vec<Named>;

@@ -24,7 +24,7 @@ use tank::options::solid::{MeshSize, SolidOptions};
 const BASE: f64 = 0.3;
 /// Element length at thickness steps and the liquid level, in √(R t).
 const STEP: f64 = 0.4;
-/// Distance of a ring from another feature within which it has no nodes of its own, in √(R t).
+/// A ring that is closer than this to a joint of courses or the surface sits on the nodes there, in √(R t).
 const NEAR_RING: f64 = 0.2;
 /// Largest element length, in √(R t).
 const LARGEST: f64 = 1.3;

@@ -48,7 +48,7 @@ mod kind {
 /// Objects that need not be created: nothing to fill with, nothing to draw with.
 const NO_BRUSH: u32 = 0x8000_0005;
 const NO_PEN: u32 = 0x8000_0008;
-/// A geometric pen with flat ends and round corners; solid, or with dashes of its own.
+/// A geometric pen with flat ends and round corners; solid or dashed.
 const SOLID: u32 = 0x0001_0200;
 const DASHED: u32 = SOLID | 7;
 

@@ -91,7 +91,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         if of_base && cells.iter().flatten().count() == 1 {
             continue;
         }
-        // Below the full level the table compares: what one method alone gives is no comparison.
+        // The standard table leaves out what only one method gives: there is nothing to compare it with.
         let given: BTreeSet<&str> = columns
             .iter()
             .zip(&cells)

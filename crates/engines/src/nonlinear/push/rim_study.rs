@@ -1,7 +1,7 @@
 //! Shells beside strips with the same rim: free, with a ring, round. Elastic plates and walls.
 //!
 //! ```text
-//! cargo test --workspace -p engines --lib rim_study -- --ignored --nocapture
+//! cargo test -p engines --lib rim_study -- --ignored --nocapture
 //! ```
 
 use results::PushPoint;
@@ -104,7 +104,7 @@ fn tank_of(tank: &Tank, rim: &str) -> Case {
 /// Rows: ψ; of shells, strips with the same rim, plane strips: M [MNm], uplift [mm], toe stress [MPa], lifted width [m]. `TANKCHECK_STUDY` runs the
 /// cases whose name contains it.
 #[test]
-#[ignore = "slow: a study, cargo test --workspace -p engines --lib rim_study -- --ignored --nocapture; last result in docs/theory/base.md"]
+#[ignore = "slow: a study, cargo test -p engines --lib rim_study -- --ignored --nocapture; last result in docs/theory/base.md"]
 fn strips_and_shells_with_the_same_rim() {
     let chosen = std::env::var("TANKCHECK_STUDY").unwrap_or_default();
     for tank in &TANKS {

@@ -316,7 +316,7 @@ fn a_forged_checkpoint_does_not_panic() {
 #[test]
 fn fittings_have_their_mass_and_rings_their_stiffness() {
     let (mut bare, mut fitted) = (small(), small());
-    // The ring is a level of nodes of its own, so that the attachment is alone on the others.
+    // The ring adds a level of nodes; the attachment alone loads the other levels.
     let (ring, ladder) = ((2.6, 6e-3, 5e-6), (1.2345, 300.0));
     test_tanks::fit(&mut fitted, ring, ladder);
     let model = |case: &Case| {
