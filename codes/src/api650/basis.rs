@@ -18,9 +18,12 @@ const STEEL: f64 = 206e9;
 /// Modulus [Pa] by which the allowable compression of softer metals, and of steel that is hot, is scaled: 29 000 ksi.
 pub const REFERENCE_MODULUS: f64 = 200e9;
 
+/// Modulus [Pa] of steel at room temperature, just below 29 000 ksi = 199.95 GPa.
+const AT_ROOM_TEMPERATURE: f64 = 199.9e9;
+
 /// Whether the allowable compression of a metal is scaled with its modulus: it is softer than steel at room temperature.
 pub fn softer(material: &Material) -> bool {
-    material.is_metal() && material.youngs_modulus < REFERENCE_MODULUS
+    material.is_metal() && material.youngs_modulus < AT_ROOM_TEMPERATURE
 }
 
 /// Tank and product as the standard sees them; weights in N.
