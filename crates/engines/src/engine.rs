@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use fem::progress::Progress;
 use results::{EngineId, Omittable, Run, Series, Snapshots};
+use tank::case::GroundMotion;
 use tank::demand::Demands;
 use tank::refusal::Refusal;
 use tank::{Case, Quantity};
@@ -56,6 +57,8 @@ pub struct Simulation {
     pub of_modes: Option<(Vec<String>, Vec<String>)>,
     /// The modes on a second mesh, with the length of its elements over those of the run.
     pub second: Option<(f64, ModalUnits)>,
+    /// The motion of the slab under a tank on isolators, in place of that of the ground.
+    pub slab_motion: Option<GroundMotion>,
 }
 
 impl Simulation {
@@ -72,6 +75,7 @@ impl Simulation {
             units: None,
             of_modes: None,
             second: None,
+            slab_motion: None,
         }
     }
 }

@@ -257,7 +257,7 @@ impl MovingBase {
         let of = (linear.engine, linear.model);
         let asked = (options, linear.extent, linear.known, linear.states.is_some());
         Ok(MovingBase {
-            isolated: isolation::isolated(case, of, analysis, motion, options)?,
+            isolated: isolation::isolated(case, linear.model, analysis, motion, options)?,
             free: rocking::free(case, of, analysis, motion, asked),
         })
     }
@@ -381,6 +381,7 @@ fn report(
         units: case.site.is_given().then(|| units::units(model, options)).transpose()?,
         of_modes,
         second: None,
+        slab_motion: base.isolated.is_some().then_some(driven),
     };
     transfer::add(&mut simulation, model, options)?;
     Ok(simulation)

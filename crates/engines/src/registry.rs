@@ -80,6 +80,16 @@ fn across_imperfections(task: &Task<'_>) -> Option<Refusal> {
     })
 }
 
+/// The march of isolators takes the motion along y for that along x turned by a quarter of the circle.
+fn box_on_isolators(task: &Task<'_>) -> Option<Refusal> {
+    let shaken = task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some());
+    let boxed = matches!(task.case.tank.shape, Shape::Rectangle { .. });
+    (shaken && boxed && task.case.tank.isolators.is_some()).then(|| {
+        let message = "--quake-y: a box on isolators moves along x alone";
+        Refusal::new(Place::Transverse, message, "a cylinder, or no tank.isolators").help("remove --quake-y")
+    })
+}
+
 /// One Fourier harmonic at a time.
 struct Harmonic;
 
@@ -133,6 +143,7 @@ impl Engine for Solid {
         all.extend(solid::unresolved(task));
         all.extend(across_a_box(task, EngineId::Solid));
         all.extend(across_imperfections(task));
+        all.extend(box_on_isolators(task));
         all.extend(joint(task, EngineId::Solid));
         all
     }

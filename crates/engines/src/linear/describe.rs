@@ -137,7 +137,7 @@ pub(crate) fn mass_balance(model: &Model) -> Vec<Balance> {
 
 /// Assumptions of the engine.
 pub(crate) fn assumptions(case: &Case, options: &Options, engine: EngineId) -> Vec<String> {
-    let isolated = engine == EngineId::Harmonic && case.tank.isolators.is_some();
+    let isolated = case.tank.isolators.is_some();
     let mut list = harmonic::assumptions(case, engine == EngineId::Solid, isolated);
     list.push(format!(
         "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",

@@ -17,7 +17,6 @@ use ::soil::isolated::{self, History, Mode};
 use ::soil::isolator::{Friction, Isolator};
 use oscillator::record::Record;
 use rayon::prelude::*;
-use results::EngineId;
 use results::part::Fact;
 use tank::case::GroundMotion;
 use tank::demand::Demands;
@@ -39,19 +38,19 @@ pub(super) use outcome::Isolated;
 /// Longest time step [s].
 const LONGEST: f64 = 1e-3;
 
-/// The run on isolators; `None` of a tank without them, and of the other engines.
+/// The run on isolators; `None` of a tank without them.
 ///
 /// Lower and upper properties run in every extent: checks take the worst of all.
 ///
 /// Errors: dashpots, which couple the modes; a march without convergence; a response that is not finite.
 pub(super) fn isolated(
     case: &Case,
-    (engine, model): (EngineId, &Model),
+    model: &Model,
     still: &Analysis<'_>,
     motion: &GroundMotion,
     options: &Options,
 ) -> Result<Option<Isolated>, FeError> {
-    let Some(given) = case.tank.isolators.filter(|_| engine == EngineId::Harmonic) else { return Ok(None) };
+    let Some(given) = case.tank.isolators else { return Ok(None) };
     if !options.dashpots.is_empty() {
         return Err(FeError::Unsupported(words::DASHPOTS.into()));
     }

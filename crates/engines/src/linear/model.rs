@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use oscillator::record::Record;
 use tank::case::GroundMotion;
 
-use super::soil::{self, Slab};
+use super::soil;
 use super::system::Harmonic;
 use super::turned::Turned;
 use crate::damping::Damper;
@@ -75,14 +75,7 @@ impl Model {
             None => Some(prepare(0)?),
         };
         let damper = damper.tuned(&horizontal.modes);
-        let (horizontal, fixed) = match Slab::of(case)? {
-            None => (horizontal, None),
-            Some(slab) => {
-                let held = (&horizontal.coupled, horizontal.modes.as_slice());
-                let (coupled, modes) = soil::on_soil(held, case, &damper, &slab)?;
-                (Harmonic { coupled, modes }, Some(horizontal))
-            }
-        };
+        let (horizontal, fixed) = soil::under(case, &damper, horizontal)?;
         Ok(Model { whole: false, vertical, site, turned: None, damper, horizontal, fixed })
     }
 

@@ -29,9 +29,11 @@ use std::f64::consts::PI;
 use ::soil::disc::{Disc, Soil};
 use tank::{Case, FoundationKind, Shape, Support};
 
+use super::system::Harmonic;
 use crate::FeError;
+use crate::damping::Damper;
 
-pub(super) use extend::on_soil;
+pub(crate) use floor::Floor;
 pub(super) use outcome::outcome;
 pub use twin::slab_body;
 pub(crate) use words::note;
@@ -39,9 +41,18 @@ pub(crate) use words::note;
 /// Density of reinforced concrete [kg/m³], EN 1991-1-1:2002 table A.1.
 const CONCRETE: f64 = 2500.0;
 
+/// The system of m = 1 on its slab, and that on a fixed base, where there is soil under the slab.
+///
+/// Errors: as [`Slab::of`] and [`extend::on_soil`].
+pub(crate) fn under(case: &Case, damper: &Damper, held: Harmonic) -> Result<(Harmonic, Option<Harmonic>), FeError> {
+    let Some(slab) = Slab::of(case)? else { return Ok((held, None)) };
+    let (coupled, modes) = extend::on_soil((&held.coupled, &held.modes), case, damper, &slab)?;
+    Ok((Harmonic { coupled, modes }, Some(held)))
+}
+
 /// A slab on soil.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Slab {
+pub(crate) struct Slab {
     /// Disc on soil.
     pub disc: Disc,
     /// Thickness [m]; 0 where it is not given.
@@ -53,7 +64,7 @@ impl Slab {
     /// anchored: the soil under the rim is that of [`::base`] then, and would count twice.
     ///
     /// Errors: values that the input does not let pass.
-    pub(super) fn of(case: &Case) -> Result<Option<Slab>, FeError> {
+    pub(crate) fn of(case: &Case) -> Result<Option<Slab>, FeError> {
         let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else {
             return Ok(None);
         };

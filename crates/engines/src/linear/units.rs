@@ -130,6 +130,7 @@ pub(crate) fn without_record(
         units: Some(units(model, options)?),
         of_modes: None,
         second: None,
+        slab_motion: None,
     };
     super::transfer::add(&mut simulation, model, options)?;
     Ok(simulation)

@@ -42,7 +42,7 @@ struct Direction {
 pub(super) struct Moment {
     /// Time [s].
     pub time: f64,
-    /// Unknowns relative to the ground; zero for potentials.
+    /// Unknowns relative to the ground, or to a slab on it that moves; zero for potentials.
     pub displacement: Vec<f64>,
     /// Second derivative of the potential in the whole motion; other entries are accelerations relative to the ground.
     pub acceleration: Vec<f64>,
@@ -108,12 +108,16 @@ impl Histories {
         for direction in &self.directions {
             let space = &spaces[direction.system];
             let take = |histories: &[Vec<f64>]| histories.iter().map(|h| h[sample]).collect::<Vec<f64>>();
-            let mut moved = space.basis.times(&take(&direction.q));
-            let mut relative = space.basis.times(&take(&direction.acceleration));
+            // Unknowns beyond those of the basis are of a slab.
+            let own = space.basis.cols;
+            let (q, with_slab) = (take(&direction.q), take(&direction.acceleration));
+            let mut moved = space.basis.times(&q[..own]);
+            let mut relative = space.basis.times(&with_slab[..own]);
             let ground = direction.ground[sample];
             let mut carried = vec![0.0; size];
             for (e, carried) in carried.iter_mut().enumerate().filter(|(e, _)| space.potentials[*e]) {
-                *carried = ground * space.rigid[e];
+                let slab = space.slab.iter().flatten().zip(&with_slab[own..]);
+                *carried = ground * space.rigid[e] + slab.map(|(phi, a)| phi[e] * a).sum::<f64>();
             }
             if direction.turned {
                 [moved, relative, carried] = [moved, relative, carried].map(|x| turned(tank, &x));

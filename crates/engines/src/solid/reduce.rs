@@ -41,6 +41,7 @@ use super::wall::{ROOF, WALL};
 use crate::FeError;
 use crate::coupled::{Coupled, Part, SparseRow};
 use crate::error::{failed, failure};
+use crate::linear::soil::{Floor, Slab};
 use crate::probe::Probe;
 use results::Channel;
 use results::Labelled;
@@ -48,12 +49,17 @@ use tank::options::LinearOptions as Options;
 use tank::options::linear::WallDirection;
 use tank::options::solid::Liquid;
 
+/// Nodes nearer than this lie on one ring [m].
+const RING: f64 = 1e-6;
+
 /// Map from the reduced coordinates of one direction of motion to the model.
 pub(super) struct Space {
     /// Basis over the unknowns of the model, potentials included.
     pub basis: Matrix,
     /// Unknowns under a unit rigid motion of the ground: displacements and potential.
     pub rigid: Vec<f64>,
+    /// Potentials of a unit translation and rotation of a slab on soil, in the units of its unknowns; none on rigid ground.
+    pub slab: Option<[Vec<f64>; 2]>,
     /// Static displacements of the wall.
     pub statics: Vec<f64>,
     /// Whether an unknown is a potential.
@@ -137,6 +143,31 @@ pub(super) fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> 
     Ok((rigid, load))
 }
 
+/// Potential of the liquid in a tank that turns with its slab, per unit rotation about the underside; −p/(ρ ψ̈).
+///
+/// Errors: not enough memory.
+pub(super) fn turning(case: &Case, tank: &TankModel, system: &System, slab: &Slab) -> Result<Vec<f64>, FeError> {
+    let (model, dofs, nodes) = (&tank.model, tank.model.dofs(), tank.model.nodes());
+    let inertia = tank.assembler.inertia(model, |node| {
+        let [x, y, z] = nodes[node];
+        tilt([x, y, z + slab.thickness])
+    });
+    let walls = system.potential_of(&inertia)?;
+    let floor = Floor::of(case);
+    // Nodes lie on rings: a value for every ring.
+    let mut rings: BTreeMap<[i64; 2], f64> = BTreeMap::new();
+    let mut whole = vec![0.0; dofs.len()];
+    for (e, value) in whole.iter_mut().enumerate() {
+        let (Some(of_walls), (node, Dof::Phi)) = (walls[e], dofs.unknown(e)) else { continue };
+        let [x, y, z] = nodes[node];
+        let r = x.hypot(y);
+        let key = [r, z].map(|v| (v / RING).round() as i64);
+        let below = *rings.entry(key).or_insert_with(|| floor.as_ref().map_or(0.0, |floor| floor.potential(r, z)));
+        *value = of_walls + if r > 0.0 { below * x / r } else { 0.0 };
+    }
+    Ok(whole)
+}
+
 /// Basis and reduced matrices for a load.
 ///
 /// Errors: a matrix that is not positive definite; not enough memory.
@@ -217,6 +248,7 @@ pub(super) fn new(
         around,
         basis,
         rigid,
+        slab: None,
         statics,
         potentials: (0..dofs.len()).map(|e| dofs.unknown(e).1 == Dof::Phi).collect(),
         mean_elevation: system.mean_elevation.clone(),

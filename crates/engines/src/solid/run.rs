@@ -27,15 +27,16 @@ use crate::engine::Task;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Model, shaken_upwards};
+use crate::linear::soil::{self, Slab};
 use crate::linear::system::Harmonic;
 use crate::linear::units;
 use crate::linear::{Across, Extent, Linear, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
-use results::{EngineId, Part};
+use results::{Channel, EngineId, Part};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
-use tank::options::solid::SolidOptions;
+use tank::options::solid::{Liquid, SolidOptions};
 use tank::refusal::Refusal;
 
 /// Notes on an imperfect wall.
@@ -120,21 +121,22 @@ impl Prepared {
         };
         // Spaces are those of responses to records.
         spaces.truncate(1 + usize::from(vertical.is_some()));
-        let model = Model {
-            whole: false,
-            vertical,
-            site,
-            turned: None,
-            damper: damper.tuned(&horizontal.modes),
-            horizontal,
-            fixed: None,
+        let damper = damper.tuned(&horizontal.modes);
+        let (horizontal, fixed) = match moves_on_soil(&tank) {
+            true => soil::under(case, &damper, horizontal)?,
+            false => (horizontal, None),
         };
+        if let (Some(slab), Some(_)) = (Slab::of(case)?, &fixed) {
+            let turning = reduce::turning(case, &tank, &system, &slab)?;
+            spaces[0].slab = Some(slab_potentials(&horizontal.coupled, &spaces[0], turning));
+        }
+        let model = Model { whole: false, vertical, site, turned: None, damper, horizontal, fixed };
         Ok(Prepared { tank, system, spaces, model })
     }
 
     /// Modes of the reduced systems on the whole model, of one direction and kind, at most `count`.
     fn expanded(&self, direction: usize, kind: Kind, count: usize) -> Vec<TankMode> {
-        let Some(harmonic) = self.model.systems().nth(direction) else { return Vec::new() };
+        let Some(harmonic) = self.model.held_systems().nth(direction) else { return Vec::new() };
         let space = &self.spaces[direction];
         harmonic
             .modes
@@ -214,6 +216,21 @@ impl Prepared {
     }
 }
 
+/// Whether a slab on soil moves: under a perfect wall and a potential liquid, whose probes contain the motion of the base.
+fn moves_on_soil(tank: &TankModel) -> bool {
+    tank.is_round() && tank.imperfections.is_empty() && tank.liquid == Liquid::Potential
+}
+
+/// Potentials of the slab's two unknowns, in their units; `turning`: that of a unit rotation.
+fn slab_potentials(coupled: &Coupled, space: &Space, turning: Vec<f64>) -> [Vec<f64>; 2] {
+    let units = [Channel::FoundationTranslation, Channel::FoundationRotation].map(|channel| {
+        let row = coupled.probe(channel).map_or(&[][..], |probe| &probe.displacement);
+        row.iter().sum::<f64>()
+    });
+    let along = space.rigid.iter().zip(&space.potentials).map(|(v, phi)| if *phi { units[0] * v } else { 0.0 });
+    [along.collect(), turning.into_iter().map(|v| units[1] * v).collect()]
+}
+
 /// Share of all effective mass from which a mode of a rectangle counts before the others of its kind.
 const COUNTS: f64 = 1e-5;
 
@@ -273,7 +290,8 @@ pub fn simulate(
         }
         None => None,
     };
-    prepared.pictures(motion, options, solid, &mut simulation, progress)?;
+    let felt = simulation.slab_motion.clone();
+    prepared.pictures(felt.as_ref().unwrap_or(motion), options, solid, &mut simulation, progress)?;
     if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
         simulation.result.parts.push(tilted(case, angle, options, solid, progress)?);
     }
@@ -376,10 +394,12 @@ fn integrated(
         model: &prepared.model,
         space: &prepared.spaces[0],
     };
+    let moves = prepared.model.fixed.is_some() || case.tank.isolators.is_some();
     let linear = Linear {
         engine: EngineId::Solid,
         model: &prepared.model,
-        direct: Some(&direct),
+        // All unknowns of the mesh are those of a tank on rigid ground.
+        direct: (!moves).then_some(&direct),
         across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
         states: None,
         extent: Extent::Whole,
@@ -407,11 +427,12 @@ fn integrated(
             );
         }
     }
+    let felt = simulation.slab_motion.clone();
     let found = around::respond(
         case,
         &prepared.tank.imperfections,
         (&prepared.model, &prepared.spaces),
-        checked_motion(case)?,
+        felt.as_ref().map_or_else(|| checked_motion(case), Ok)?,
         options,
         progress,
     )?;

@@ -21,6 +21,7 @@ use crate::modes::{Kind, solve};
 use crate::solid::symmetry::Harmonic;
 
 mod liquid;
+mod moving_base;
 
 fn case() -> Case {
     let mut case = tank::reference::broad(1000.0);

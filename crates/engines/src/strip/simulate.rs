@@ -131,6 +131,7 @@ impl Report<'_> {
             units: None,
             of_modes: None,
             second: None,
+            slab_motion: None,
         }
     }
 

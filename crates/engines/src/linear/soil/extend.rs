@@ -3,7 +3,7 @@
 use fem::linalg::{Cholesky, Matrix, dot};
 use results::Channel;
 use results::channel::OnWall;
-use tank::{Case, Shape};
+use tank::Case;
 
 use super::Slab;
 use super::floor::Floor;
@@ -47,8 +47,7 @@ pub(crate) struct Rigid {
 impl Rigid {
     /// Rigid motion of a coupled system of harmonic 1; `None` without the row of the overturning moment.
     pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
-        let Shape::Cylinder { radius } = case.tank.shape else { return None };
-        let floor = Floor { density: case.liquid.density, radius, depth: case.liquid.fill_height };
+        let floor = Floor::of(case)?;
         let below = coupled.probe(Channel::OverturningMoment)?;
         let (row, arm, t) = (&below.absolute_acceleration, &coupled.moment_arm, slab.thickness);
         let wall = coupled.mass.times(arm);

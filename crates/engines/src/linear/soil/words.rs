@@ -21,9 +21,8 @@ pub(crate) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String>
         return None;
     }
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    if engine == EngineId::Harmonic && round && case.tank.support == Support::Unanchored {
+    if engine != EngineId::Nonlinear && round && case.tank.support == Support::Unanchored {
         return Some(UNANCHORED.into());
     }
-    let on_soil = moves && engine == EngineId::Harmonic && round;
-    Some(if on_soil { ON_SOIL } else { RIGID_GROUND }.into())
+    Some(if moves { ON_SOIL } else { RIGID_GROUND }.into())
 }

@@ -83,6 +83,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         units: None,
         of_modes: None,
         second: None,
+        slab_motion: None,
     }
 }
 
