@@ -13,6 +13,7 @@ mod estimates;
 mod field;
 mod fragility;
 mod frequency;
+mod german;
 mod grades;
 mod ground_motion;
 mod help;

@@ -41,7 +41,7 @@ export class Checks {
     this.element.classList.toggle('check-old', !answer.results);
     this.drawVerdict();
     this.draw();
-    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), h('span', { lang: 'en' }, ` ${warning.message}`))));
+    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), h('span', { lang: warning.german ? null : 'en' }, ` ${warning.german ?? warning.message}`))));
   }
 
   clear() {

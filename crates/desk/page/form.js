@@ -42,7 +42,7 @@ export class Form {
 
   readGrades() {
     const help = this.schema.field(this.schema.json.$defs?.Material?.properties?.grade ?? {}).help;
-    const lists = [...help.matchAll(/(?:Plates|Concrete|Bars): ([^\n]*?)\.(?=\s(?:Bars|$)|\n|$)/g)].map((match) => match[1]);
+    const lists = [...help.matchAll(/(?:Plates|Concrete|Bars|Bleche|Beton|Stäbe): ([^\n]*?)\.(?=\s(?:Bars|Stäbe|$)|\n|$)/g)].map((match) => match[1]);
     const names = lists.join(', ').replace(/\([^)]*\)/g, '').split(',').map((name) => name.trim()).filter(Boolean);
     this.gradeNames = new Set(names);
     fill(this.grades, names.map((name) => h('option', { value: name })));

@@ -7,8 +7,7 @@ import { t } from './words.js';
 
 /** `{button, note, toggle}`; the note stands hidden until the button opens it. Fields open theirs with F1, so that Tab goes from value to value. */
 export function helpFor(field, parts, label, { tabbed = true } = {}) {
-  // The texts of the program are English in every language.
-  const note = h('div.field-help', { id: uniqueId('help'), hidden: true, lang: 'en' });
+  const note = h('div.field-help', { id: uniqueId('help'), hidden: true });
   const button = h('button.field-ask.quiet', {
     type: 'button', 'aria-expanded': 'false', 'aria-controls': note.id, 'aria-label': t('form-help', { name: label }), title: field.help, tabindex: tabbed ? null : -1,
   }, '?');

@@ -13,7 +13,7 @@ const NAMES = {
   units: ['Units', 'Einheiten'], shape: ['Shape', 'Form'], radius: ['Inner radius', 'Innenradius'], length: ['Length', 'Länge'],
   breadth: ['Breadth', 'Breite'], strip: ['Strip 1 m wide', 'Streifen von 1 m'], support: ['Support', 'Lagerung'],
   courses: ['Courses', 'Schüsse'], wall_base: ['Joint of wall and base', 'Anschluss Wand–Sohle'], roof: ['Roof', 'Dach'],
-  bottom: ['Bottom plate', 'Bodenplatte'], foundation: ['Foundation', 'Gründung'], isolators: ['Isolators', 'Isolatoren'],
+  bottom: ['Bottom plate', 'Bodenblech'], foundation: ['Foundation', 'Gründung'], isolators: ['Isolators', 'Isolatoren'],
   anchors: ['Anchors', 'Anker'], pressure: ['Gas pressure', 'Gasdruck'], pipes: ['Pipes', 'Rohrleitungen'],
   internals: ['Internal equipment', 'Einbauten'], adjacent_structures: ['Adjacent structures', 'Angrenzende Bauten'],
   height: ['Height', 'Höhe'], thickness: ['Thickness', 'Dicke'], material: ['Material', 'Werkstoff'],

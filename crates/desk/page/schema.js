@@ -93,9 +93,9 @@ const wordsOf = (whole) => [whole.const ?? whole.enum ?? whole.oneOf?.map((one) 
 
 const wordHelp = (whole, value) => whole.oneOf?.find((one) => one.const === value)?.description ?? '';
 
-// What holds where a key is not given: after "If not given:" or "Default:" in its description.
+// What holds where a key is not given: after "If not given:" or "Default:" in its description, in either language.
 function fallbackOf(description) {
-  return /(?:If not given|Default): (.*?)(?:\.(?=\s|$)|$)/s.exec(description ?? '')?.[1] ?? '';
+  return /(?:If not given|Default|Ohne Angabe|Vorgabe): (.*?)(?:\.(?=\s|$)|$)/s.exec(description ?? '')?.[1] ?? '';
 }
 
 /** Whether a value is written in one field, not in a group of its own. */

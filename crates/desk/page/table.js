@@ -177,7 +177,9 @@ export class Table {
   }
 
   setRowFaults(index, faults) {
-    this.rowFaults.set(index, faults.map((fault) => ({ ...fault, message: `${t('form-row')} ${index + 1}: ${fault.message}` })));
+    const inRow = (text) => text && `${t('form-row')} ${index + 1}: ${text}`;
+    const german = (fault) => fault.german && { ...fault.german, message: inRow(fault.german.message) };
+    this.rowFaults.set(index, faults.map((fault) => ({ ...fault, message: inRow(fault.message), german: german(fault) })));
     this.showFaults();
   }
 

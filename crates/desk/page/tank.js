@@ -9,7 +9,7 @@ import { findField } from './find.js';
 import { Form } from './form.js';
 import { plain } from './jsonc.js';
 import { labelAt } from './labels.js';
-import { isMissing, marked, placeOf, withoutStyles } from './marked.js';
+import { isMissing, marked, placeOf, spoken, tongue, withoutStyles } from './marked.js';
 import { parsePath, valueAt } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
@@ -41,7 +41,7 @@ class TankRoom {
   async start() {
     try {
       this.desk.document ??= await openDocument(this.desk);
-      this.schema = new Schema(await this.desk.api.get('schema'));
+      while (!(await this.readSchema()));
     } catch (error) {
       fill(this.element, h('p.empty', {}, error.message));
       throw error;
@@ -55,6 +55,15 @@ class TankRoom {
   }
 
   get document() { return this.desk.document; }
+
+  /** The schema, its descriptions in the language of the page; whether that still is the language when it has come. */
+  async readSchema() {
+    const { language } = this.desk.settings;
+    const schema = new Schema(await this.desk.api.get('schema', { language }));
+    if (language !== this.desk.settings.language) return false;
+    this.schema = schema;
+    return true;
+  }
 
   async show(args) {
     this.shown = true;
@@ -115,10 +124,12 @@ class TankRoom {
         h('button', { type: 'button', onclick: () => { this.document.startFrom('{\n}\n'); this.form.element.querySelector('input')?.focus(); } }, t('doc-empty'))));
   }
 
-  settingChanged(name) {
+  async settingChanged(name) {
     if (name === 'language') {
       this.sheet.close();
-      this.build();
+      // Without an answer the form keeps the help that it has.
+      const read = await this.readSchema().catch(() => true);
+      if (read) this.build();
     }
     if (name === 'units') {
       this.form.update();
@@ -206,7 +217,7 @@ class TankRoom {
     const value = plain(this.document.root);
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
     fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: isMissing(fault) ? 'field-missing' : '' },
-      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault, value)), ' ', h('span', { lang: 'en' }, marked(fault.message))))));
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault, value)), ' ', h('span', { lang: tongue(fault) }, marked(spoken(fault)))))));
   }
 
   // A fault of the text as such belongs to no group of the form: it is counted at the text.

@@ -77,7 +77,7 @@ pub(crate) fn router(desk: Arc<Desk>, token: &str, port: u16) -> Router {
         .route("/file", get(file).put(save).delete(remove))
         .route("/rename", post(rename))
         .route("/upload", post(upload).layer(DefaultBodyLimit::max(UPLOAD)))
-        .route("/schema", get(|desk: Own| ask(desk.0, Question::Schema)))
+        .route("/schema", get(schema))
         .route("/templates", get(|desk: Own| ask(desk.0, Question::Templates)))
         .route("/check", post(check))
         .route("/sheet", post(sheet))
@@ -142,6 +142,15 @@ async fn about(State(desk): Own) -> Json<Value> {
 async fn contents(State(desk): Own) -> Result<Response, Fault> {
     let found = beside(move || desk.folder.contents()).await?;
     Ok(Json(found).into_response())
+}
+
+#[derive(Deserialize)]
+struct In {
+    language: Option<String>,
+}
+
+async fn schema(State(desk): Own, Query(asked): Query<In>) -> Result<Json<Value>, Fault> {
+    ask(desk, Question::Schema(asked.language)).await
 }
 
 #[derive(Deserialize)]

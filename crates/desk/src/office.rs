@@ -57,8 +57,8 @@ impl Refused {
 /// A question.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// The JSON Schema of tank files.
-    Schema,
+    /// The JSON Schema of tank files, its descriptions in a language: `en` or `de`, English without.
+    Schema(Option<String>),
     /// Tank files to start from.
     Templates,
     /// The codes' verdict on a tank, or the faults of its file.

@@ -17,6 +17,8 @@
 //!
 //! A text of [`crate::message`] is in the language of the page already, and stays.
 //!
+//! Texts about an input file have a catalogue of their own: [`of_input`].
+//!
 //! A text that the catalogue lacks stays English and is remembered: [`untranslated`]. The tests render the examples and
 //! allow none.
 
@@ -50,7 +52,12 @@ const GERMAN: &[(&str, &str)] = &[
     ("analyses", include_str!("language/german/analyses.txt")),
 ];
 
+/// What people read who write an input file; pages of results are read without it.
+const INPUT: &[(&str, &str)] =
+    &[("keys", include_str!("language/german/keys.txt")), ("faults", include_str!("language/german/faults.txt"))];
+
 static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::new(GERMAN));
+static INPUT_CATALOGUE: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::new(INPUT));
 
 thread_local! {
     /// Texts seen so far and their translations.
@@ -90,6 +97,14 @@ pub fn say(text: &str) -> Cow<'_, str> {
 
 /// Significant digits of a value within a sentence in other units than the sentence was written in.
 const DIGITS: usize = 3;
+
+/// The German of a text about an input file: help of a key, a fault, a warning; none where the catalogues lack a part of it,
+/// since half a translation is worse to read than the English.
+pub fn of_input(text: &str) -> Option<String> {
+    let paragraph = |text: &str| INPUT_CATALOGUE.complete(text).or_else(|| CATALOGUE.complete(text));
+    let german: Option<Vec<String>> = text.split("\n\n").map(paragraph).collect();
+    Some(german?.join("\n\n"))
+}
 
 /// A finished page or figure in the language and units under construction.
 pub fn page(html: String) -> String {

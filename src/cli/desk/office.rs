@@ -22,6 +22,7 @@ use crate::job::Job;
 use crate::pipeline;
 use crate::solve::{self, Variable};
 use fem::progress::Silent;
+use files::code::Code;
 use files::text;
 use report::language;
 use results::Results;
@@ -57,7 +58,13 @@ const DRAWN: usize = 4_000;
 impl Office for Answers {
     fn answer(&self, question: Question) -> Result<Value, Refused> {
         match question {
-            Question::Schema => Ok(json_schema()),
+            Question::Schema(language) => {
+                let mut schema = json_schema();
+                if language.as_deref() == Some("de") {
+                    describe(&mut schema);
+                }
+                Ok(schema)
+            }
             Question::Templates => Ok(templates()),
             Question::Check(tank) => Ok(check(&tank)),
             Question::Sheet { tank, method, check } => sheet(&tank, method, check.as_deref()),
@@ -178,9 +185,8 @@ fn check(asked: &Tank) -> Value {
     let mut answer = match found {
         Ok((job, remarks, results)) => {
             let _style = style::of(job.project.as_ref());
-            let late =
-                results.warnings.iter().map(|w| json!({ "code": w.code().map(|c| c.id()), "message": w.text() }));
-            let remarks = remarks.into_iter().map(|text| json!({ "code": Value::Null, "message": text }));
+            let late = results.warnings.iter().map(|w| warning(w.code().map(|c| c.id()), w.text()));
+            let remarks = remarks.iter().map(|text| warning(None, text));
             json!({
                 "faults": [],
                 "text_faults": "",
@@ -190,14 +196,17 @@ fn check(asked: &Tank) -> Value {
             })
         }
         Err(Unfit::Faults(found)) => {
+            let _style = style::of(None);
             let (faults, source) = *found;
             let list: Vec<Value> = faults.list().iter().map(|fault| shown(fault, &source)).collect();
             json!({ "faults": list, "text_faults": faults.render(&source, false), "warnings": [], "results": null, "sketch": null })
         }
         Err(Unfit::Other(error)) => {
+            let _style = style::of(None);
             let Refused { message, help } = refused(&error);
+            let said = german(&message, "", help.as_deref());
             let fault = json!({ "code": error.code().map(|c| c.id()), "message": message, "path": "", "line": 1, "column": 1, "start": 0, "end": 0,
-                "found": "", "allowed": "", "help": help });
+                "found": "", "allowed": "", "help": help, "german": said });
             json!({ "faults": [fault], "text_faults": error.message(), "warnings": [], "results": null, "sketch": null })
         }
     };
@@ -213,6 +222,15 @@ fn shown(fault: &Fault, source: &Source) -> Value {
     };
     let span = fault.span.clone().unwrap_or(0..0);
     let (line, column) = source.line_column(span.start);
+    let said = match fault.code {
+        // A list of keys.
+        Code::UnknownKey => {
+            let mut said = german(&fault.message, "", fault.help.as_deref());
+            said["allowed"] = fault.allowed.replace(" or ", " oder ").into();
+            said
+        }
+        _ => german(&fault.message, &fault.allowed, fault.help.as_deref()),
+    };
     json!({
         "code": fault.code.id(),
         "message": text::line(&fault.message),
@@ -224,7 +242,41 @@ fn shown(fault: &Fault, source: &Source) -> Value {
         "found": text::line(&fault.found),
         "allowed": text::line(&fault.allowed),
         "help": fault.help.as_deref().map(text::line),
+        "german": said,
     })
+}
+
+/// The German of the texts of a fault on a German page, each where there is one.
+fn german(message: &str, allowed: &str, help: Option<&str>) -> Value {
+    if style::language() != Language::German {
+        return Value::Null;
+    }
+    let said = |text: &str| language::of_input(&text::line(text));
+    json!({ "message": said(message), "allowed": said(allowed), "help": help.and_then(said) })
+}
+
+fn warning(code: Option<&str>, message: &str) -> Value {
+    json!({ "code": code, "message": message, "german": german(message, "", None)["message"] })
+}
+
+/// Puts German descriptions into a schema.
+fn describe(schema: &mut Value) {
+    match schema {
+        Value::Object(members) => {
+            for (key, value) in members {
+                match value {
+                    Value::String(text) if key == "description" => {
+                        if let Some(german) = language::of_input(text) {
+                            *text = german;
+                        }
+                    }
+                    value => describe(value),
+                }
+            }
+        }
+        Value::Array(items) => items.iter_mut().for_each(describe),
+        _ => {}
+    }
 }
 
 /// Keys of `results.json` whose texts people read.

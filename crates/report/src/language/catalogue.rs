@@ -132,6 +132,11 @@ impl Catalogue {
         bound(&german)
     }
 
+    /// The German of a text, if the catalogue has all of it.
+    pub(super) fn complete(&self, text: &str) -> Option<String> {
+        self.found(text, &Seen::default())
+    }
+
     /// The German of a reference to a document, word by word behind its commas; numbers stay.
     pub(super) fn reference(&self, text: &str, missing: &mut Vec<String>) -> String {
         let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')'));

@@ -3,7 +3,7 @@ use tank::units::System;
 
 use super::catalogue::Catalogue;
 use super::text::is_neutral;
-use super::{CATALOGUE, page, say, untranslated};
+use super::{CATALOGUE, INPUT_CATALOGUE, of_input, page, say, untranslated};
 use crate::style::{self, Wish};
 
 fn wish(language: Language, units: System) -> (style::Wished, style::Scope) {
@@ -20,6 +20,7 @@ const SAMPLE: &[(&str, &str)] = &[(
 #[test]
 fn the_catalogue_has_no_faults() {
     assert_eq!(CATALOGUE.faults, Vec::<String>::new());
+    assert_eq!(INPUT_CATALOGUE.faults, Vec::<String>::new());
 }
 
 #[test]
@@ -61,6 +62,25 @@ fn what_is_missing_stays_and_is_named() {
     let german = catalogue.translate("Base shear by method: strange thing 1.5.", &mut missing);
     assert_eq!(german, "Gesamterdbebenkraft je Verfahren: strange thing 1,5.");
     assert_eq!(missing, ["strange thing 1.5"]);
+}
+
+/// A text about an input file is German or not translated at all; paragraphs stay, and so does what is to be typed.
+#[test]
+fn texts_about_input_are_translated_whole() {
+    for (english, german) in [
+        (
+            "Inner radius of a cylinder, which needs it. At least 0.1 mm, at most 1000 m.",
+            "Innenradius eines Zylinders, der ihn benötigt. Mindestens 0,1 mm, höchstens 1000 m.",
+        ),
+        (
+            "A liquid storage tank to be verified for earthquakes.\n\nComments and trailing commas are allowed.",
+            "Ein Lagertank für Flüssigkeiten, der auf Erdbeben nachzuweisen ist.\n\nKommentare und Kommas am Ende sind erlaubt.",
+        ),
+        ("the key `radius` is missing", "der Schlüssel `radius` fehlt"),
+    ] {
+        assert_eq!(of_input(english).as_deref(), Some(german));
+    }
+    assert_eq!(of_input("The tank. A sentence that nobody has translated."), None);
 }
 
 #[test]

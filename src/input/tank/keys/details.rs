@@ -45,7 +45,7 @@ impl FromNode for Connections {
         Some(Connections(BottomConnections::Within(distance)))
     }
     fn allowed() -> String {
-        format!("\"none\", or a length {}", DISTANCE.describe(Dimension::Length))
+        format!("\"none\", or {}", DISTANCE.describe(Dimension::Length))
     }
     fn example() -> String {
         "\"1.5 m\"".into()
