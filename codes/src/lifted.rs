@@ -106,8 +106,8 @@ pub(crate) fn held(base: &Base, beyond: f64, weight: f64) -> f64 {
     low
 }
 
-/// Lines of the base under the moment of a code that has another model of uplift; they decide nothing. A note where a ground does not
-/// hold the moment.
+/// Lines of the base under the moment of a code that has another model of uplift; they decide nothing. Notes on the foot of the wall, and where a
+/// ground does not hold the moment.
 ///
 /// * `moment`: M [N·m], named `symbol` on the sheet
 /// * `weight`: w_t that holds the wall down [N/m]
@@ -117,16 +117,18 @@ pub(crate) fn information(
     (symbol, moment): (&str, f64),
     weight: f64,
     clause: &str,
-) -> Option<String> {
-    let grounds = grounds(case)?;
+) -> Vec<String> {
+    let Some(grounds) = grounds(case) else { return Vec::new() };
+    let mut notes: Vec<String> = grounds.first().map(|ground| ground.base.foot().into()).into_iter().collect();
     sheet.section("Uplift by strips of the bottom plate (for information)");
     let own = "own calculation";
     for ground in &grounds {
         let (base, modulus) = (&ground.base, ground.modulus());
         let Some(stand) = under(base, moment, weight) else {
-            return Some(format!(
+            notes.push(format!(
                 "{clause}: for information, strips of the bottom plate on {modulus} do not hold the moment {symbol}."
             ));
+            return notes;
         };
         let source = format!("strips side by side under {symbol}, subgrade modulus {modulus}");
         let turn = &stand.turn;
@@ -144,7 +146,7 @@ pub(crate) fn information(
             sheet.look_up("M_0", name, &source, leaving, Moment, own);
         }
     }
-    None
+    notes
 }
 
 /// The base of a tank on one of its grounds, for figures.

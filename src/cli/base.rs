@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Turn};
+use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Top, Turn};
 use serde_json::{Value, json};
 use tank::units::{Dimension, UnitError, display, parse};
 
@@ -35,8 +35,8 @@ Examples:
   tankcheck base tank.json --elastic --bottom-pressure 40kPa
 
 The strip is a metre of the bottom plate at the rim: what it takes to lift it. Moment and rotation are those of the whole
-base, strips side by side around a foot that stays plane. Both are given on the ground of the file, and on ground three times
-softer and stiffer.")]
+base, strips side by side around a foot that warps as the rim of the wall lets it (`tank.roof.holds`, `tank.rings`). Both are
+given on the ground of the file, and on ground three times softer and stiffer.")]
 pub(crate) struct Args {
     /// The tank (`-` reads standard input).
     #[arg(value_name = "TANK")]
@@ -183,8 +183,8 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
 /// * `rest`: displacement of the rim at rest [m], below 0 where the ground gives way
 fn rocking(base: &Base, rotation: f64, suction: f64, rest: f64) -> Result<Rocking, BaseError> {
     let reach = (rotation * base.radius).min(REACH * base.radius / 2.0);
-    // The centre stays near the ground: the lifted side moves by less than the whole width times the rotation.
-    base.rocking(rest - reach - 0.02, 2.0 * reach + 0.02, suction > 0.0)
+    // The centre stays near the ground.
+    base.rocking(rest - reach - 0.02, base.rise() * reach + 0.02, suction > 0.0)
 }
 
 fn origin(origin: Origin) -> &'static str {
@@ -193,6 +193,14 @@ fn origin(origin: Origin) -> &'static str {
         Origin::Waves => "shear_wave_velocity",
         Origin::Assumed(_) => "assumed",
     }
+}
+
+fn rim(top: Option<Top>) -> Option<&'static str> {
+    top.map(|top| match top {
+        Top::Round => "round",
+        Top::Rings => "rings",
+        Top::Free => "free",
+    })
 }
 
 fn point(p: &Point) -> Value {
@@ -251,6 +259,7 @@ fn document(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> Valu
         "bottom_pressure_Pa": suction,
         "modulus_N_per_m3": base.modulus,
         "modulus_origin": origin(base.origin),
+        "rim": rim(base.top()),
         "rest": own["rest"],
         "strip": own["strip"],
         "moment_rotation": own["moment_rotation"],
@@ -284,6 +293,8 @@ fn human(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> String 
     out += &words::strip(base.plate().thickness, base.pressure - suction, base.weight, base.yields());
     out += "\n";
     out += &words::ground(base.modulus, assumed, base.origin == Origin::Waves);
+    out += "\n";
+    out += base.foot();
     out += "\n\n";
     let on = grounds.iter().find(|g| g.factor == 1.0).unwrap_or(&grounds[0]);
     let mut table = Table::new(words::STRIP_HEAD);

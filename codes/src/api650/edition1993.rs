@@ -374,8 +374,8 @@ fn self_anchored(
         Some(_) => {}
     }
     out.hold_down = Some(w_t);
-    let note = lifted::information(sheet, basis.case, ("M", moment), w_t, E5_1);
-    out.notes.extend(note);
+    let notes = lifted::information(sheet, basis.case, ("M", moment), w_t, E5_1);
+    out.notes.extend(notes);
     sheet.section("Resistance");
     b
 }

@@ -46,6 +46,7 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
         work.without_comparison(UPLIFT.id, CheckStatus::NotChecked, reason, Some("tank.bottom"));
         return Err(reason.into());
     };
+    work.out.notes.extend(grounds.first().map(|ground| ground.base.foot().into()));
     let mut rims = Vec::new();
     for ground in &grounds {
         if let Some(stand) = lifted::under(&ground.base, state.base_moment, weight) {

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The pull Q of all anchors presses the rim down as a weight does: moment and centre of the foot are those of the strips under the weight
-//! w_t + Q/2πR, between five of them in straight lines. Where all anchors yield and the toe is short, M = R (n N_y + W).
+//! w_t + Q/2πR, between five of them in straight lines, and the foot stays plane. Where all anchors yield and the toe is short, M = R (n N_y + W).
 //!
 //! An anchor is not pretensioned; what it has stretched beyond its yield stays as a gap.
 
@@ -230,6 +230,7 @@ impl Ring {
             toe_force: mix(|t| t.toe_force),
             pull: mix(|t| t.pull),
             lifted_angle: mix(|t| t.lifted_angle),
+            waves: below.waves,
         }
     }
 

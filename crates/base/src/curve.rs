@@ -27,9 +27,10 @@ impl Cubic {
         Cubic([a.hold_down, m, (3.0 * secant - 2.0 * m - n) / h, (m + n - 2.0 * secant) / (h * h)])
     }
 
-    fn at(&self, x: f64) -> f64 {
+    /// F and its slope.
+    fn at(&self, x: f64) -> [f64; 2] {
         let Cubic([a, b, c, d]) = self;
-        a + x * (b + x * (c + x * d))
+        [a + x * (b + x * (c + x * d)), b + x * (2.0 * c + x * 3.0 * d)]
     }
 }
 
@@ -99,13 +100,19 @@ impl Curve {
 
     /// Hold-down force F at an uplift [N/m]; monotone cubics between the points, straight on beyond them.
     pub fn hold_down(&self, uplift: f64) -> f64 {
+        self.hold(uplift)[0]
+    }
+
+    /// The same with its slope dF/dw [N/m²].
+    pub(crate) fn hold(&self, uplift: f64) -> [f64; 2] {
         let i = self.place(uplift);
         let (from, to) = (self.uplifts[i - 1], self.uplifts[i]);
         if uplift < from {
-            return self.points[i - 1].hold_down + self.slopes[i - 1] * (uplift - from);
+            let slope = self.slopes[i - 1];
+            return [self.points[i - 1].hold_down + slope * (uplift - from), slope];
         }
         if uplift > to {
-            return self.points[i].hold_down + self.slopes[i] * (uplift - to);
+            return [self.points[i].hold_down + self.slopes[i] * (uplift - to), self.slopes[i]];
         }
         self.cubics[i - 1].at(uplift - from)
     }

@@ -12,8 +12,10 @@
 //! A table by bottom pressure, rotation and place of the centre, from where all of the rim is on the ground to where none is, and straight on beyond;
 //! between its places straight lines.
 
+use crate::error::BaseError;
 use crate::law::{Law, Response};
 use crate::rocking::Rocking;
+use crate::warp::WAVES;
 
 /// Places of the centre on either side of that at rest, without the last one, and where that is over the one before.
 const PLACES: usize = 8;
@@ -39,6 +41,8 @@ pub struct Heave {
     stiffness: f64,
     /// Rows by bottom pressure, then rotation, with the deepest place first.
     rows: Vec<[Place; ROW]>,
+    /// Waves of the foot at the same places [m]; empty of one that stays plane.
+    waves: Vec<[[f64; WAVES]; ROW]>,
     rotations: usize,
 }
 
@@ -100,45 +104,76 @@ impl Heave {
     /// Without damping.
     ///
     /// * `mass` m [kg]
-    pub fn new(mass: f64, rocking: &Rocking, law: &Law) -> Heave {
+    ///
+    /// Errors: no equilibrium of a foot that warps.
+    pub fn new(mass: f64, rocking: &Rocking, law: &Law) -> Result<Heave, BaseError> {
         let rotations = law.rotations();
         let mut rows = Vec::with_capacity(rotations.len() * law.suctions().len());
+        let mut forms = Vec::with_capacity(rows.capacity());
         for (k, &suction) in law.suctions().iter().enumerate() {
             for (j, &psi) in rotations.iter().enumerate() {
                 let turn = law.tabled(k, j);
-                let sums = |centre: f64| rocking.sums(PANELS, (psi, centre), suction);
-                let (force, moment) = sums(turn.centre);
-                let place = |way: f64| {
-                    let now = sums(turn.centre + way);
-                    Place { centre: turn.centre + way, load: force - now.0, moment: turn.moment + now.1 - moment }
-                };
+                let mut own = turn.waves;
+                let (force, moment) = rocking.sums(PANELS, (psi, turn.centre), suction, &mut own)?;
                 // To where the lifted side is on the ground, and to where the toe leaves it.
-                let reach = psi * rocking.radius();
+                let (high, low) = (turn.uplift, turn.rim(rocking.radius(), std::f64::consts::PI));
                 let least = law.tabled(k, 0).centre.abs().max(LEAST * rocking.radius());
-                let down = turn.uplift.max(0.0) + least;
-                let up = (reach - turn.centre).max(0.0) + least;
-                rows.push(std::array::from_fn(|i| {
-                    if i == REST {
-                        return Place { centre: turn.centre, load: 0.0, moment: turn.moment };
-                    }
+                let down = high.max(0.0) + least;
+                let up = (-low).max(0.0) + least;
+                let mut row = [Place { centre: turn.centre, load: 0.0, moment: turn.moment }; ROW];
+                let mut waves = [turn.waves; ROW];
+                // From rest outwards, so that the waves of a place are close to those of the next.
+                for i in (0..REST).rev().chain(REST + 1..ROW) {
                     let way = if i < REST { -down } else { up };
-                    place(match i.abs_diff(REST) {
+                    let way = match i.abs_diff(REST) {
                         n if n > PLACES => LAST * way,
                         n => (n as f64 / PLACES as f64).powi(2) * way,
-                    })
-                }));
+                    };
+                    let mut there = if i < REST { waves[i + 1] } else { waves[i - 1] };
+                    let now = rocking.sums(PANELS, (psi, turn.centre + way), suction, &mut there)?;
+                    row[i] =
+                        Place { centre: turn.centre + way, load: force - now.0, moment: turn.moment + now.1 - moment };
+                    waves[i] = there;
+                }
+                rows.push(row);
+                if rocking.warps() {
+                    forms.push(waves);
+                }
             }
         }
         let upright = &rows[law.suctions().partition_point(|s| *s < 0.0) * rotations.len()];
         let (below, rest) = (upright[REST - 1], upright[REST]);
-        Heave {
+        Ok(Heave {
             mass,
             delay: 0.0,
             rest: rest.centre,
             stiffness: (below.load - rest.load) / (rest.centre - below.centre),
             rows,
+            waves: forms,
             rotations: rotations.len(),
+        })
+    }
+
+    /// Waves of the foot [m] at a rotation [rad] and a bottom pressure [Pa] with its centre at a place [m]; straight on beyond the table.
+    pub fn waves(&self, law: &Law, (psi, centre): (f64, f64), suction: f64) -> [f64; WAVES] {
+        if self.waves.is_empty() {
+            return [0.0; WAVES];
         }
+        let side = if psi < 0.0 { -1.0 } else { 1.0 };
+        let (psi, suction) = (side * psi, side * suction);
+        let (place, _) = self.row(law, psi, suction);
+        let above = (1..ROW - 1).find(|i| place(*i).centre >= centre).unwrap_or(ROW - 1);
+        let (low, high) = (place(above - 1).centre, place(above).centre);
+        let part = (centre - low) / (high - low);
+        let (j, k, share) = law.places(psi, suction);
+        let turn = (psi - law.rotations()[j - 1]) / (law.rotations()[j] - law.rotations()[j - 1]);
+        std::array::from_fn(|n| {
+            let at = |k: usize, j: usize, i: usize| self.waves[k * self.rotations + j][i][n];
+            let between = |a: f64, b: f64, share: f64| a + share * (b - a);
+            let along = |k: usize, j: usize| between(at(k, j, above - 1), at(k, j, above), part);
+            let turned = |k: usize| between(along(k, j - 1), along(k, j), turn);
+            between(turned(k - 1), turned(k), share)
+        })
     }
 
     /// The same with damping τ over the stiffness of the strips [s].

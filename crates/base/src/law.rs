@@ -17,6 +17,7 @@ use crate::halves::side_by_side;
 use crate::march::Lifted;
 use crate::model::Base;
 use crate::rocking::{Rocking, Turn};
+use crate::warp::WAVES;
 
 /// Rotations of the table.
 const ROTATIONS: usize = 40;
@@ -55,6 +56,8 @@ pub struct Law {
     initial: f64,
     springs: Vec<Spring>,
     linear: f64,
+    /// Whether the foot has waves.
+    warps: bool,
 }
 
 /// Even parts of the range of rotations in which the search of a place begins.
@@ -103,8 +106,11 @@ impl Law {
         let rotations: Vec<f64> = (0..=ROTATIONS).map(|j| largest * (j as f64 / ROTATIONS as f64).powi(3)).collect();
         let suctions = SUCTIONS.map(|share| share * rocking.pressure()).to_vec();
         let turns = side_by_side(&suctions, |&suction| {
-            let row = rotations.iter().map(|&psi| rocking.at(psi, suction));
-            row.collect::<Result<Vec<Turn>, BaseError>>()
+            let mut row: Vec<Turn> = Vec::with_capacity(rotations.len());
+            for &psi in &rotations {
+                row.push(rocking.near(psi, suction, row.last())?);
+            }
+            Ok(row)
         })?;
         let slopes: Vec<Vec<f64>> = turns.iter().map(|row| slopes(&rotations, row)).collect();
         let cubics = turns.iter().zip(&slopes).map(|(row, slopes)| {
@@ -124,6 +130,7 @@ impl Law {
             turns,
             springs,
             linear,
+            warps: rocking.warps(),
         })
     }
 
@@ -246,7 +253,7 @@ impl Law {
         let (psi, suction) = if psi < 0.0 { (-psi, -suction) } else { (psi, suction) };
         let (j, k, share) = self.places(psi, suction);
         let t = (psi - self.rotations[j - 1]) / (self.rotations[j] - self.rotations[j - 1]);
-        let mix = |f: fn(&Turn) -> f64| {
+        let mix = |f: &dyn Fn(&Turn) -> f64| {
             let at = |level: usize| {
                 let (a, b) = (&self.turns[level][j - 1], &self.turns[level][j]);
                 f(a) + t * (f(b) - f(a))
@@ -255,12 +262,13 @@ impl Law {
         };
         Turn {
             rotation: psi,
-            moment: mix(|t| t.moment),
-            centre: mix(|t| t.centre),
-            uplift: mix(|t| t.uplift),
-            toe_force: mix(|t| t.toe_force),
-            pull: mix(|t| t.pull),
-            lifted_angle: mix(|t| t.lifted_angle),
+            moment: mix(&|t| t.moment),
+            centre: mix(&|t| t.centre),
+            uplift: mix(&|t| t.uplift),
+            toe_force: mix(&|t| t.toe_force),
+            pull: mix(&|t| t.pull),
+            lifted_angle: mix(&|t| t.lifted_angle),
+            waves: if self.warps { std::array::from_fn(|n| mix(&|t| t.waves[n])) } else { [0.0; WAVES] },
         }
     }
 
@@ -297,13 +305,11 @@ impl Law {
             return 0.0;
         }
         let turn = self.turn(psi, 0.0);
-        let reach = psi * base.radius;
         let n = 180;
         let lost: f64 = (0..n)
             .map(|i| {
                 // Every place is lifted by one of the two turns.
-                let cos = (TAU / 4.0 * (f64::from(i) + 0.5) / f64::from(n)).cos();
-                losses.at(turn.centre + reach * cos)
+                losses.at(turn.rim(base.radius, TAU / 4.0 * (f64::from(i) + 0.5) / f64::from(n)))
             })
             .sum::<f64>()
             * TAU

@@ -51,4 +51,4 @@ pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
 pub use stand::{PlatePoint, Stand, Stands};
 pub use strip::{Plan, Rim, Strip};
-pub use warp::Warping;
+pub use warp::{Top, WAVES, Warping};

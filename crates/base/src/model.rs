@@ -15,6 +15,7 @@ use crate::mesh;
 use crate::plate::{Bands, Plate};
 use crate::rocking::Rocking;
 use crate::strip::{Plan, Rim, Strip};
+use crate::warp::{Top, Warping};
 
 /// Modulus of soil without data [N/m³]: compacted gravel.
 pub const SOIL: f64 = 1e8;
@@ -64,6 +65,8 @@ pub struct Base {
     pub origin: Origin,
     /// Yield strength of the lowest course [Pa], where it is known.
     pub wall_yield: Option<f64>,
+    /// What resists the waves of the foot; none of one that stays plane.
+    pub(crate) warping: Option<Warping>,
     /// Whether strips that rock have elements twice as long.
     long: bool,
 }
@@ -113,6 +116,7 @@ impl Base {
             modulus,
             origin,
             wall_yield: wall.material.yield_strength,
+            warping: Warping::built(case, net, gravity),
             long: false,
         })
     }
@@ -133,6 +137,34 @@ impl Base {
     #[must_use]
     pub fn with_long_elements(self) -> Base {
         Base { long: true, ..self }
+    }
+
+    /// The same base with a foot that stays plane.
+    #[must_use]
+    pub fn plane(self) -> Base {
+        Base { warping: None, ..self }
+    }
+
+    /// What keeps the top edge of the wall round; `None` of a foot that stays plane.
+    pub fn top(&self) -> Option<Top> {
+        self.warping.as_ref().map(Warping::top)
+    }
+
+    /// The foot in a sentence.
+    pub fn foot(&self) -> &'static str {
+        match self.top() {
+            None => "The foot of the wall stays plane.",
+            Some(Top::Round) => {
+                "The roof keeps the rim of the wall round (`tank.roof.holds`): its foot stays plane but for the membrane of the wall."
+            }
+            Some(Top::Rings) => "The rim of the wall is free but for `tank.rings`: its foot warps.",
+            Some(Top::Free) => "The rim of the wall is free (`tank.roof.holds`): its foot warps.",
+        }
+    }
+
+    /// Most uplift that a rotation gives, over ψ R: twice that of a plane foot that turns about its toe, and more of one that warps.
+    pub fn rise(&self) -> f64 {
+        if matches!(self.top(), None | Some(Top::Round)) { 2.0 } else { 3.0 }
     }
 
     /// Whether the plate has a yield stress.
@@ -197,7 +229,7 @@ impl Base {
             let strip = if self.long { self.coarse_strip(pressure)? } else { self.strip(pressure)? };
             Ok((pressure, Curve::of(&strip, self.weight, from, to)?))
         })?;
-        Rocking::new(self.radius, self.weight, curves)
+        Ok(Rocking::new(self.radius, self.weight, curves)?.warping(self.warping.clone()))
     }
 }
 

@@ -4,18 +4,23 @@
 //! w(φ) = w₀ + ψ R cos φ          ∫ F(w) R dφ + 2 π R w_t = 0  →  w₀          M = ∫ F(w) cos φ R² dφ          n_toe = −F(w₀ − ψ R)
 //! ```
 //!
-//! The foot of the wall stays a plane, which a wall with a roof or a stiff girder does; a broad open tank warps, and its uplift
-//! gathers on a shorter arc. With a bottom pressure p − p_b cos φ the strip is read between curves at three pressures.
+//! The foot of the wall stays a plane, or warps as its wall lets it ([`crate::Warping`]): under a free top edge its uplift gathers on a shorter arc.
+//! With a bottom pressure p − p_b cos φ the strip is read between curves at several pressures.
 //!
 //! Source: Malhotra & Veletsos 1994.
 
 use crate::curve::Curve;
 use crate::element::GAUSS;
 use crate::error::BaseError;
+use crate::warp::{Foot, WAVES, Warping};
 use std::f64::consts::PI;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
-pub(crate) const PANELS: usize = 24;
+const PANELS: usize = 24;
+/// The same from the lifted side to the toe of a foot that warps.
+const WARPED: usize = 48;
+/// Places between the lifted side and the toe at which a foot that warps is seen to be off the ground.
+const SEEN: usize = 180;
 
 /// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
 const FIRST: f64 = 2e-5;
@@ -34,6 +39,8 @@ pub struct Rocking {
     factors: Vec<f64>,
     /// Which of them is that at rest.
     rest: usize,
+    /// What resists the waves of the foot; none of one that stays plane.
+    warping: Option<Warping>,
 }
 
 /// The base at a rotation.
@@ -45,7 +52,7 @@ pub struct Turn {
     pub moment: f64,
     /// Displacement w₀ of the centre of the foot, upwards [m].
     pub centre: f64,
-    /// Uplift at the lifted side, w₀ + ψ R [m].
+    /// Uplift at the lifted side [m].
     pub uplift: f64,
     /// Axial force of the wall at the toe, compression positive [N/m].
     pub toe_force: f64,
@@ -53,6 +60,35 @@ pub struct Turn {
     pub pull: f64,
     /// Half of the angle over which the rim is lifted off the ground [rad].
     pub lifted_angle: f64,
+    /// Waves U₂, U₃, … of the foot, from the lifted side on [m]; 0 of one that stays plane.
+    pub waves: [f64; WAVES],
+}
+
+impl Turn {
+    /// w(φ) of a foot of this radius [m] at an angle φ from the lifted side [rad].
+    pub fn rim(&self, radius: f64, angle: f64) -> f64 {
+        let waves = self.waves.iter().enumerate().map(|(k, u)| u * ((k + 2) as f64 * angle).cos());
+        self.centre + self.rotation * radius * angle.cos() + waves.sum::<f64>()
+    }
+
+    /// w at even places from the lifted side to the toe.
+    pub(crate) fn around(&self, radius: f64) -> [f64; SEEN + 1] {
+        std::array::from_fn(|i| {
+            let cos = (PI * i as f64 / SEEN as f64).cos();
+            let (mut before, mut last) = (1.0, cos);
+            let mut w = self.centre + self.rotation * radius * cos;
+            for wave in &self.waves {
+                (before, last) = (last, 2.0 * cos * last - before);
+                w += wave * last;
+            }
+            w
+        })
+    }
+
+    /// The same at θ [rad] of a base that turns by ψ [rad]: a positive one lifts θ = 180°.
+    pub fn rim_at(&self, radius: f64, rotation: f64, theta: f64) -> f64 {
+        self.rim(radius, if rotation > 0.0 { PI - theta } else { theta })
+    }
 }
 
 impl Rocking {
@@ -71,7 +107,18 @@ impl Rocking {
             let others = curves.iter().enumerate().filter(|(j, _)| *j != i);
             1.0 / others.map(|(_, other)| curves[i].0 - other.0).product::<f64>()
         };
-        Ok(Rocking { factors: (0..curves.len()).map(factor).collect(), radius, weight, curves, rest })
+        Ok(Rocking { factors: (0..curves.len()).map(factor).collect(), radius, weight, curves, rest, warping: None })
+    }
+
+    /// The same with a foot that warps, or one that stays plane.
+    #[must_use]
+    pub fn warping(self, warping: Option<Warping>) -> Rocking {
+        Rocking { warping, ..self }
+    }
+
+    /// Whether the foot warps.
+    pub(crate) fn warps(&self) -> bool {
+        self.warping.is_some()
     }
 
     /// The strip's curve at rest.
@@ -95,35 +142,29 @@ impl Rocking {
         Rocking { weight: self.weight + more, ..self.clone() }
     }
 
-    /// Weight of wall and roof [N/m].
-    pub(crate) fn line_weight(&self) -> f64 {
-        self.weight
-    }
-
-    /// F(w) at the angle whose cosine is given, under a bottom pressure that is lower by `suction` times it [Pa].
-    pub(crate) fn hold_down_at(&self, uplift: f64, cosine: f64, suction: f64) -> f64 {
-        self.hold_down(uplift, self.pressure() - suction * cosine)
-    }
-
-    /// Uplifts for which the law is known [m].
-    pub(crate) fn known(&self) -> (f64, f64) {
-        self.range()
-    }
-
-    /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
+    /// F(w) under a pressure.
     fn hold_down(&self, uplift: f64, pressure: f64) -> f64 {
+        self.hold(uplift, pressure)[0]
+    }
+
+    /// F(w) under a pressure, and its slope; between the curves Lagrange's polynomial, none beyond them.
+    fn hold(&self, uplift: f64, pressure: f64) -> [f64; 2] {
         if self.curves.len() == 1 {
-            return self.curves[0].1.hold_down(uplift);
+            return self.curves[0].1.hold(uplift);
         }
         let (highest, lowest) = (self.curves[0].0, self.curves[self.curves.len() - 1].0);
         let p = pressure.clamp(lowest, highest);
-        let term = |i: usize| -> f64 {
+        let mut sum = [0.0; 2];
+        for (i, (_, curve)) in self.curves.iter().enumerate() {
             let others = self.curves.iter().enumerate().filter(|(j, _)| *j != i);
             let away = others.map(|(_, (other, _))| p - other).product::<f64>();
             // At the pressure of another curve there is nothing of this one.
-            if away == 0.0 { 0.0 } else { self.factors[i] * away * self.curves[i].1.hold_down(uplift) }
-        };
-        (0..self.curves.len()).map(term).sum()
+            if away != 0.0 {
+                let share = self.factors[i] * away;
+                sum.iter_mut().zip(curve.hold(uplift)).for_each(|(sum, own)| *sum += share * own);
+            }
+        }
+        sum
     }
 
     fn range(&self) -> (f64, f64) {
@@ -135,37 +176,83 @@ impl Rocking {
 
     /// The base at `rotation` ψ [rad] ≥ 0, with a bottom pressure that is lower by `suction` cos φ [Pa].
     ///
-    /// Errors: a rotation that moves the rim beyond the curve.
+    /// Errors: a rotation that moves the rim beyond the curve, or at which a foot that warps has no equilibrium.
     pub fn at(&self, rotation: f64, suction: f64) -> Result<Turn, BaseError> {
+        self.near(rotation, suction, None)
+    }
+
+    /// The same, found from a turn that is close to it.
+    ///
+    /// Errors: as [`Rocking::at`].
+    pub(crate) fn near(&self, rotation: f64, suction: f64, last: Option<&Turn>) -> Result<Turn, BaseError> {
         let p = self.pressure();
-        let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
-        plane_section(self.radius, self.weight, self.range(), rotation, &hold)
+        let plane = || {
+            let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
+            plane_section(self.radius, self.weight, self.range(), rotation, &hold)
+        };
+        let Some(warping) = &self.warping else { return plane() };
+        let start = match last {
+            Some(turn) => *turn,
+            None => plane()?,
+        };
+        let hold = |w: f64, cos: f64| self.hold(w, p - suction * cos);
+        self.foot((warping, suction), WARPED, &hold).at(rotation, &start, self.range())
+    }
+
+    fn foot<'a>(
+        &self,
+        (warping, suction): (&'a Warping, f64),
+        panels: usize,
+        hold: &'a dyn Fn(f64, f64) -> [f64; 2],
+    ) -> Foot<'a> {
+        Foot { radius: self.radius, weight: self.weight, warping, suction, panels, hold }
     }
 
     /// Force [N] and moment [N m] of the strips at a rotation ψ [rad] ≥ 0 with the centre of the foot at w₀ [m], and a bottom pressure that is
-    /// lower by `suction` cos φ [Pa]; straight on beyond the curve.
-    pub(crate) fn sums(&self, panels: usize, (rotation, centre): (f64, f64), suction: f64) -> (f64, f64) {
+    /// lower by `suction` cos φ [Pa]; straight on beyond the curve. `waves` of the foot are those of a state close to it, and become those of the
+    /// equilibrium there.
+    ///
+    /// Errors: no equilibrium of a foot that warps.
+    pub(crate) fn sums(
+        &self,
+        panels: usize,
+        (rotation, centre): (f64, f64),
+        suction: f64,
+        waves: &mut [f64; WAVES],
+    ) -> Result<(f64, f64), BaseError> {
         let p = self.pressure();
-        let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
-        sums(panels, self.radius, centre, rotation * self.radius, &hold)
+        let Some(warping) = &self.warping else {
+            let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
+            return Ok(sums(panels, self.radius, centre, rotation * self.radius, &hold));
+        };
+        let hold = |w: f64, cos: f64| self.hold(w, p - suction * cos);
+        // As many panels as there are on both arcs of a foot that stays plane.
+        self.foot((warping, suction), 2 * panels, &hold).held(rotation, centre, waves)
     }
 
-    /// The foot at a rotation ψ [rad] with its centre at w₀ [m], under a moment that is known [N m] and with a bottom pressure that is lower by
-    /// `suction` cos φ [Pa]: sides belong to those that ψ lifts and presses.
-    pub fn foot(&self, (rotation, centre): (f64, f64), moment: f64, suction: f64) -> Turn {
+    /// The foot at a rotation ψ [rad] with its centre at w₀ [m] and its waves [m], under a moment that is known [N m] and with a bottom pressure that
+    /// is lower by `suction` cos φ [Pa]: sides belong to those that ψ lifts and presses.
+    pub fn moved(&self, (rotation, centre): (f64, f64), waves: [f64; WAVES], moment: f64, suction: f64) -> Turn {
         let side = if rotation < 0.0 { -1.0 } else { 1.0 };
         let (rotation, suction) = (side * rotation, side * suction);
-        let reach = rotation * self.radius;
         let p = self.pressure();
-        Turn {
+        let mut turn = Turn {
             rotation,
             moment: side * moment,
             centre,
-            uplift: centre + reach,
-            toe_force: -self.hold_down(centre - reach, p + suction),
-            pull: self.hold_down(centre + reach, p - suction),
-            lifted_angle: open(centre, reach),
+            uplift: 0.0,
+            toe_force: 0.0,
+            pull: 0.0,
+            lifted_angle: open(centre, rotation * self.radius),
+            waves,
+        };
+        turn.uplift = turn.rim(self.radius, 0.0);
+        turn.toe_force = -self.hold_down(turn.rim(self.radius, PI), p + suction);
+        turn.pull = self.hold_down(turn.uplift, p - suction);
+        if self.warps() {
+            turn.lifted_angle = lifted(&turn.around(self.radius));
         }
+        turn
     }
 
     /// The base under a moment [N m], with a bottom pressure that is lower by `suction` cos φ [Pa]; none where it does not hold the moment
@@ -268,6 +355,7 @@ pub(crate) fn plane_section_by(
         toe_force: -hold(centre - reach, -1.0),
         pull: hold(centre + reach, 1.0),
         lifted_angle: open(centre, reach),
+        waves: [0.0; WAVES],
     })
 }
 
@@ -301,6 +389,15 @@ fn open(centre: f64, reach: f64) -> f64 {
         (false, true) => PI,
         (false, false) => 0.0,
     }
+}
+
+/// Part of the half circumference over which a rim with these uplifts at even places is off the ground [rad], straight between them.
+pub(crate) fn lifted(rim: &[f64]) -> f64 {
+    let share = |pair: &[f64]| {
+        let (high, low) = (pair[0].max(pair[1]), pair[0].min(pair[1]));
+        if low >= 0.0 && high > 0.0 { 1.0 } else { high.max(0.0) / (high - low).max(f64::MIN_POSITIVE) }
+    };
+    PI / (rim.len() - 1) as f64 * rim.windows(2).map(share).sum::<f64>()
 }
 
 /// Force [N] and moment [N m] around the circumference; panels end where the rim leaves the ground.

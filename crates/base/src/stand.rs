@@ -13,12 +13,15 @@ use crate::march::{Lifted, Shape};
 use crate::model::Base;
 use crate::rocking::{Turn, plane_section_by, turned};
 use crate::strip::Strip;
+use crate::warp::Foot;
 
 /// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
 const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
 /// Panels of three Gauss points on the lifted arc, and as many on the rest: a quarter of those of a curve M(ψ), which changes the moment
 /// by less than 0.1 %.
 const PANELS: usize = 12;
+/// The same from the lifted side to the toe of a foot that warps.
+const WARPED: usize = 24;
 /// Largest uplift in radii: beyond it the plate's rotations are not small.
 const LIFT: f64 = 0.2;
 
@@ -80,7 +83,7 @@ impl Stands {
     /// * `weight` w_t that holds the wall down [N/m]
     /// * `suction` at the lifted side [Pa]: the plate carries p − p_b cos φ there, and p as at rest on the other side
     pub fn under(&mut self, moment: f64, weight: f64, suction: f64) -> Option<Stand> {
-        self.found(weight, suction, &|turn| turn.moment - moment, 1e-8 * moment.abs())
+        self.found(weight, suction, &|turn| turn.moment - moment, 1e-10 * moment.abs())
     }
 
     /// Where the rim leaves the ground.
@@ -94,9 +97,9 @@ impl Stands {
     ///
     /// * `weight` w_t that holds the wall down [N/m]
     pub fn at(&mut self, rotations: &[f64], weight: f64) -> Vec<Turn> {
-        let radius = self.base.radius;
+        let base = self.base.clone();
         let turns = self.with(0.0, |drawn| {
-            let turn = |rotation: &f64| grown(drawn, radius, weight, *rotation).ok();
+            let turn = |rotation: &f64| grown(drawn, &base, weight, *rotation).ok();
             Some(rotations.iter().filter_map(turn).collect())
         });
         turns.unwrap_or_default()
@@ -127,9 +130,9 @@ impl Stands {
     }
 
     fn found(&mut self, weight: f64, suction: f64, goal: &dyn Fn(&Turn) -> f64, settled: f64) -> Option<Stand> {
-        let radius = self.base.radius;
+        let base = self.base.clone();
         self.with(suction, |drawn| {
-            let turn = turned(&|rotation| grown(drawn, radius, weight, rotation), goal, settled)?;
+            let turn = turned(&|rotation| grown(drawn, &base, weight, rotation), goal, settled)?;
             let rim = drawn.borrow().last()?.kept.curve.at(turn.uplift);
             Some(Stand { turn, rim })
         })
@@ -160,20 +163,33 @@ impl Stands {
 }
 
 /// The base at a rotation, on curves that grow until they hold it: that at rest, and where there is one that under suction.
-fn grown(drawn: &RefCell<Vec<Drawn>>, radius: f64, weight: f64, rotation: f64) -> Result<Turn, BaseError> {
+fn grown(drawn: &RefCell<Vec<Drawn>>, base: &Base, weight: f64, rotation: f64) -> Result<Turn, BaseError> {
+    let radius = base.radius;
     loop {
         let tried = {
             let curves = drawn.borrow();
             let from = curves.iter().map(|d| d.range().0).fold(f64::NEG_INFINITY, f64::max);
             let to = curves.iter().map(|d| d.range().1).fold(f64::INFINITY, f64::min);
             let hold = |w: f64, cos: f64| {
-                let rest = curves[0].kept.curve.hold_down(w);
+                let rest = curves[0].kept.curve.hold(w);
                 match curves.get(1) {
-                    Some(low) if cos > 0.0 => rest + cos * (low.kept.curve.hold_down(w) - rest),
+                    Some(low) if cos > 0.0 => {
+                        let low = low.kept.curve.hold(w);
+                        [0, 1].map(|i| rest[i] + cos * (low[i] - rest[i]))
+                    }
                     _ => rest,
                 }
             };
-            plane_section_by(PANELS, radius, weight, (from, to), rotation, &hold)
+            let force = |w: f64, cos: f64| hold(w, cos)[0];
+            let plane = plane_section_by(PANELS, radius, weight, (from, to), rotation, &force);
+            match (&base.warping, plane) {
+                (Some(warping), Ok(plane)) => {
+                    // The pressures of the codes stand still on the wall.
+                    let foot = Foot { radius, weight, warping, suction: 0.0, panels: WARPED, hold: &hold };
+                    foot.at(rotation, &plane, (from, to))
+                }
+                (_, plane) => plane,
+            }
         };
         let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else { return tried };
         let up = wanted > 0.5 * (from + to);

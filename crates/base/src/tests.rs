@@ -223,13 +223,13 @@ fn a_rim_in_proportion_to_the_pressure_has_closed_sums() {
     };
     let base = Rocking::new(radius, 1e3, [p, 1.5 * p, 0.5 * p].map(curve).to_vec()).unwrap();
     for (psi, centre, s) in [(0.0, 0.2, 4e4), (0.05, 0.1, 0.0), (0.05, -0.3, 2e4), (0.08, 0.5, -3e4)] {
-        let (force, moment) = base.sums(8, (psi, centre), s);
+        let (force, moment) = base.sums(8, (psi, centre), s, &mut [0.0; crate::WAVES]).unwrap();
         let wanted = std::f64::consts::TAU * radius * c * (p * centre - 0.5 * s * psi * radius);
         assert!((force - wanted).abs() < 1e-6 * p, "{force} {wanted}");
         let wanted = std::f64::consts::PI * radius * radius * c * (p * psi * radius - s * centre);
         assert!((moment - wanted).abs() < 1e-6 * p, "{moment} {wanted}");
         for side in [1.0, -1.0] {
-            let found = base.foot((side * psi, centre), side * 7.0, side * s);
+            let found = base.moved((side * psi, centre), [0.0; crate::WAVES], side * 7.0, side * s);
             let (up, toe) = (centre + psi * radius, centre - psi * radius);
             // A base that does not turn has no other side.
             let s = if psi == 0.0 { side * s } else { s };

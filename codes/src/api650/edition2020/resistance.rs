@@ -177,8 +177,8 @@ impl Run<'_> {
     fn strips(&mut self, m_rw: f64, weight: f64) {
         let case = self.basis.case;
         self.out.hold_down = Some(weight);
-        let note = lifted::information(&mut self.sheet, case, ("M_rw", m_rw), weight, E6_2_1_1);
-        self.out.notes.extend(note);
+        let notes = lifted::information(&mut self.sheet, case, ("M_rw", m_rw), weight, E6_2_1_1);
+        self.out.notes.extend(notes);
         self.sheet.section("Shell compression and annulus");
     }
 

@@ -59,9 +59,10 @@ fn a_rigid_block_turns_about_its_toe() {
     let step = 2e-4;
     let ground: Vec<f64> = (0..1500).map(|i| if i < 250 { 22.0 } else { 0.0 }).collect();
     let weight = TAU * RADIUS * WEIGHT;
-    for (heave, inertia) in
-        [(None, second), (Some(Heave::new(MASS, &rocking, &law).damped(2e-3)), second + MASS * RADIUS * RADIUS)]
-    {
+    for (heave, inertia) in [
+        (None, second),
+        (Some(Heave::new(MASS, &rocking, &law).unwrap().damped(2e-3)), second + MASS * RADIUS * RADIUS),
+    ] {
         let history = run(&body, &law, heave.as_ref(), &ground, step);
         // Three instants in the air.
         let at = |i: usize| history.rotation[i];
@@ -153,7 +154,7 @@ fn heave_follows_direct_integration() {
     };
     let motion = |t: f64| 1.5 * ((9.0 * t).sin() + 0.7 * (14.0 * t).sin());
     let delay = 1e-3;
-    let heave = Heave::new(MASS, &rocking, &law).damped(delay);
+    let heave = Heave::new(MASS, &rocking, &law).unwrap().damped(delay);
     let ground: Vec<f64> = (0..=1500).map(|i| motion(1e-3 * f64::from(i))).collect();
     let history = run(&body, &law, Some(&heave), &ground, 1e-3);
     let lifted = history.centre.iter().fold(0.0, |m, w| f64::max(m, *w));
@@ -167,7 +168,7 @@ fn heave_follows_direct_integration() {
     let without = run(&body, &law, None, &ground, 1e-3);
     assert!((peak(&without.rotation) / psi - 1.0).abs() > 5e-2);
     // A gram does not.
-    let gram = Heave::new(1e-3, &rocking, &law);
+    let gram = Heave::new(1e-3, &rocking, &law).unwrap();
     let light = run(&body, &law, Some(&gram), &ground, 1e-3);
     for (a, b) in light.rotation.iter().zip(&without.rotation) {
         assert!((a - b).abs() < 1e-6 * psi, "{a} {b}");
@@ -179,7 +180,7 @@ fn heave_follows_direct_integration() {
 fn the_table_goes_straight_on_beyond_its_ends() {
     let rocking = rocking(1e9, 120e3);
     let law = Law::new(&rocking, 2e-2).unwrap();
-    let heave = Heave::new(MASS, &rocking, &law);
+    let heave = Heave::new(MASS, &rocking, &law).unwrap();
     let load = |place: f64| {
         let step = Step { place, give: 0.0, before: 0.0, length: 1e-3 };
         heave.lift(&law, 1e-2, 0.0, step).load
@@ -198,7 +199,7 @@ fn at_rest_the_damping_has_the_energy_of_the_ground() {
     let law = Law::new(&rocking, 2e-2).unwrap();
     let body = Body { modes: Vec::new(), mass: 5e5, first_moment: 2e6, second_moment: 1.5e7 };
     let ground: Vec<f64> = (0..40_000).map(|i| if i < 200 { 15.0 } else { 0.0 }).collect();
-    let heave = Heave::new(MASS, &rocking, &law).damped(5e-3);
+    let heave = Heave::new(MASS, &rocking, &law).unwrap().damped(5e-3);
     let energy = run(&body, &law, Some(&heave), &ground, 2.5e-4).energy;
     assert!(energy.input > 0.0 && (energy.viscous / energy.input - 1.0).abs() < 5e-2, "{energy:?}");
 }

@@ -379,7 +379,7 @@ fn a_mirrored_ground_mirrors_the_history() {
     };
     let rocking = Rocking::new(10.0, 15e3, [1.0, 1.5, 0.5].map(curve).to_vec()).unwrap();
     let law = Law::new(&rocking, 8e-3).unwrap();
-    let heave = Heave::new(96e3, &rocking, &law).damped(1e-3);
+    let heave = Heave::new(96e3, &rocking, &law).unwrap().damped(1e-3);
     let (mass, arm) = (1.5e6_f64, 4.0);
     let body = Body {
         modes: vec![BodyMode {

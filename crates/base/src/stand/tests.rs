@@ -13,6 +13,7 @@ use super::{Stand, Stands};
 use crate::march::Lifted;
 use crate::model::Base;
 use crate::rocking::plane_section;
+use crate::warp::Foot;
 
 /// A tank with a bottom plate: R, H [m], ρ; wall, plate [m]; f_y, E [Pa].
 fn base([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, modulus]: [f64; 2]) -> Base {
@@ -54,7 +55,7 @@ fn a_moment_turns_as_an_independent_program_has_it() {
         (OIL, 21_350.0, 219e6, 5e-3, 0.158, 13.2e6),
         (SLENDER, 7_284.0, 6.51e6, 2e-3, 0.014, 10.0e6),
     ] {
-        let found = Stands::of(base(data.0, data.1, data.2)).under(moment, weight, 0.0).unwrap();
+        let found = Stands::of(base(data.0, data.1, data.2).plane()).under(moment, weight, 0.0).unwrap();
         close(found.turn.moment, moment, 1e-6);
         close(found.turn.rotation, rotation, 0.06);
         close(found.turn.uplift, uplift, 0.06);
@@ -72,19 +73,26 @@ fn the_rim_leaves_the_ground() {
     assert!(at(&mut stands, 0.99) < 0.0 && at(&mut stands, 1.01) > 0.0);
 }
 
-/// Up to rounding: the search starts from other brackets.
+/// Up to rounding: the search starts from other brackets. A foot that warps asks for states further out, to which a strip that was kept goes on
+/// within its own tolerance.
 #[test]
 fn answers_do_not_depend_on_what_was_asked_before() {
     let ask = |stands: &mut Stands, moment: f64, suction: f64| -> Option<Stand> { stands.under(moment, 20e3, suction) };
-    let mut used = oil();
-    ask(&mut used, 250e6, 0.0);
-    ask(&mut used, 100e6, 20e3);
-    for (moment, suction) in [(60e6, 0.0), (150e6, 0.0), (150e6, 20e3), (280e6, 0.0)] {
-        let (again, fresh) = (ask(&mut used, moment, suction), ask(&mut oil(), moment, suction));
-        let [again, fresh] = [again, fresh].map(Option::unwrap);
-        close(again.turn.rotation, fresh.turn.rotation, 1e-9);
-        close(again.turn.uplift, fresh.turn.uplift, 1e-9);
-        close(again.turn.toe_force, fresh.turn.toe_force, 1e-9);
+    let plane = || Stands::of(base(OIL.0, OIL.1, OIL.2).plane());
+    for (new, tolerance) in [(&plane as &dyn Fn() -> Stands, 1e-9), (&oil, 1e-6)] {
+        let mut used = new();
+        ask(&mut used, 250e6, 0.0);
+        ask(&mut used, 100e6, 20e3);
+        for (moment, suction) in [(60e6, 0.0), (150e6, 0.0), (150e6, 20e3), (280e6, 0.0)] {
+            let (again, fresh) = (ask(&mut used, moment, suction), ask(&mut new(), moment, suction));
+            let (Some(again), Some(fresh)) = (again, fresh) else {
+                assert_eq!(again.is_some(), fresh.is_some());
+                continue;
+            };
+            close(again.turn.rotation, fresh.turn.rotation, tolerance);
+            close(again.turn.uplift, fresh.turn.uplift, tolerance);
+            close(again.turn.toe_force, fresh.turn.toe_force, tolerance);
+        }
     }
 }
 
@@ -117,7 +125,7 @@ fn corrosion_thins_the_plate_and_the_wall() {
 #[test]
 fn fewer_panels_give_the_same_moment() {
     for modulus in [1e8, 1e10] {
-        let base = base(OIL.0, OIL.1, OIL.2).on(modulus);
+        let base = base(OIL.0, OIL.1, OIL.2).on(modulus).plane();
         let mut stands = Stands::of(base.clone());
         let found = stands.under(150e6, 21_350.0, 0.0).unwrap().turn;
         let curve = &stands.curves[0].1.curve;
@@ -125,6 +133,24 @@ fn fewer_panels_give_the_same_moment() {
         let fine = plane_section(base.radius, 21_350.0, curve.range(), found.rotation, &hold).unwrap();
         close(found.moment, fine.moment, 1e-3);
         close(found.toe_force, fine.toe_force, 1e-3);
+    }
+}
+
+/// The same of a foot that warps, whose panels do not end where the rim leaves the ground: 0.5 % at the toe on rock.
+#[test]
+fn fewer_panels_give_the_same_warped_foot() {
+    for modulus in [1e8, 1e10] {
+        let base = base(OIL.0, OIL.1, OIL.2).on(modulus);
+        let mut stands = Stands::of(base.clone());
+        let found = stands.under(120e6, 21_350.0, 0.0).unwrap().turn;
+        let curve = &stands.curves[0].1.curve;
+        let hold = |w: f64, _: f64| curve.hold(w);
+        let warping = base.warping.as_ref().unwrap();
+        let foot = Foot { radius: base.radius, weight: 21_350.0, warping, suction: 0.0, panels: 400, hold: &hold };
+        let fine = foot.at(found.rotation, &found, curve.range()).unwrap();
+        close(found.moment, fine.moment, 1e-3);
+        close(found.uplift, fine.uplift, 1e-3);
+        close(found.toe_force, fine.toe_force, 5e-3);
     }
 }
 

@@ -218,7 +218,7 @@ impl Drawn<'_> {
     /// The motion of the base.
     fn rigid(&self, time: f64, moment: &Moment<'_>, rows: &Rows) -> Rigid {
         if let Some(now) = self.bottom.map(|bottom| bottom.at(time)) {
-            return Rigid { along: [now.slip, 0.0], up: now.centre, turn: [now.rotation, 0.0], below: 0.0 };
+            return Rigid { along: [now.slip, 0.0], up: now.turn.centre, turn: [now.rotation, 0.0], below: 0.0 };
         }
         if let Some(found) = self.isolated {
             return Rigid { along: found.displacement(time), ..Rigid::default() };

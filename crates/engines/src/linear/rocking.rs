@@ -217,7 +217,10 @@ fn on_anchors(
     if motion.transverse.is_some() || !options.dashpots.is_empty() {
         return held("anchors that yield under two horizontal components, or with dashpots, are not modelled");
     }
-    let Ok(base) = Base::of(case) else { return held("`tank.bottom` is missing, the plate that lifts with the wall") };
+    // The pull of single anchors is not that of a weight on a foot that warps.
+    let Ok(base) = Base::of(case).map(Base::plane) else {
+        return held("`tank.bottom` is missing, the plate that lifts with the wall");
+    };
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return held("the model has no rows of base moment or pressure");
     };

@@ -392,10 +392,7 @@ fn assumptions(plan: &Plan) -> Vec<String> {
                 false if !case.tank.roof.holds.is_free() => {
                     "The rim stays round, which leaves a foot that warps next to nothing, as in the strips."
                 }
-                false => {
-                    "The foot warps where the top of the wall is free: its uplift is larger on a shorter arc, and its moment at a \
-                     rotation smaller, than those of the strips, whose foot stays plane. A roof or a stiff ring is between the two."
-                }
+                false => "The foot warps under a rim that is free but for `tank.rings`, as in the strips.",
             }
             .into(),
         );

@@ -1,7 +1,7 @@
 //! The bottom plate under the moving base: its deflection, and the pressure of the ground on it.
 //!
 //! ```text
-//! rim     w(θ) = w₀ − ψ R cos θ
+//! rim     w(θ) = w₀ − ψ R cos θ + Σ U_n cos nφ    φ = θ − 180° where ψ > 0, else θ
 //! strip   δ(x) of the rim's uplift w, under p + P cos θ: straight through those of p and of the lowest pressure
 //! ground  r = k <−δ> + (p + P cos θ p_b(r)/p_b(R)) − p_s    where δ < 0, with p_s of the strip ;   0 off the ground
 //! ```
@@ -9,7 +9,7 @@
 //! The strips carry the pressure at the rim all the way inwards; what the bottom carries there instead goes into the ground below. p_b(r) has the
 //! form of the impulsive pressure in a rigid tank. A strip stands in the state of its first way up, also where the rim comes down again.
 
-use ::base::{Base, Stands};
+use ::base::{Base, Stands, Turn};
 use results::{GroundPlan, Snapshot, Snapshots};
 
 /// Uplifts at which the plate is kept, from the lowest to the highest.
@@ -30,8 +30,8 @@ const CLOSEST: [f64; 2] = [1.0 / 300.0, 0.15];
 /// An instant of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Now {
-    /// w₀ [m].
-    pub centre: f64,
+    /// The base.
+    pub turn: Turn,
     /// ψ, positive where θ = 0 goes down [rad].
     pub rotation: f64,
     /// P, the bottom pressure at the rim at θ = 0 over that at rest [Pa].
@@ -78,7 +78,12 @@ impl Floor {
     /// None where a strip has no equilibrium there.
     pub(super) fn of(base: &Base, [from, to]: [f64; 2], most: f64, shape: &dyn Fn(f64) -> f64) -> Option<Floor> {
         let suction = most.min(LOWEST * base.pressure);
-        let uplifts: Vec<f64> = (0..UPLIFTS).map(|i| from + (to - from) * i as f64 / (UPLIFTS - 1) as f64).collect();
+        // Close where the rim leaves the ground.
+        let root = |w: f64| w.signum() * w.abs().sqrt();
+        let (low, high) = (root(from), root(to));
+        let place = |i: usize| low + (high - low) * i as f64 / (UPLIFTS - 1) as f64;
+        let mut uplifts: Vec<f64> = (0..UPLIFTS).map(|i| place(i) * place(i).abs()).collect();
+        (uplifts[0], uplifts[UPLIFTS - 1]) = (from, to);
         let [(distances, high), (inner, low)] = [0.0, suction].map(|less| {
             let mut own = base.clone();
             own.pressure -= less;
@@ -102,7 +107,7 @@ impl Floor {
     /// The plate at an angle [rad], from the axis outwards.
     pub(super) fn at(&self, now: &Now, theta: f64) -> Vec<Under> {
         let cos = theta.cos();
-        let rim = now.centre - now.rotation * self.radius * cos;
+        let rim = now.turn.rim_at(self.radius, now.rotation, theta);
         let swing = now.pressure * cos;
         let lower = if self.suction > 0.0 { (-swing / self.suction).clamp(-1.0, 1.0) } else { 0.0 };
         let strip = self.rest - lower * self.suction;
@@ -192,7 +197,7 @@ impl Floor {
                 out.displacement.extend(drawn().map(|p| [now.slip, 0.0, p.deflection]));
                 out.ground.extend(drawn().map(|p| p.pressure));
                 let middle = angle(k) + 0.5 * angle(1);
-                let turned = joint(now.centre - now.rotation * self.radius * middle.cos());
+                let turned = joint(now.turn.rim_at(self.radius, now.rotation, middle));
                 out.plastic.extend((0..rings - 1).map(|i| if i + 1 == foot { turned } else { 0.0 }));
             }
             out

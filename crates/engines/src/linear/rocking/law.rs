@@ -8,6 +8,8 @@ use tank::STANDARD_GRAVITY;
 
 /// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
 const CRUSHED: f64 = 500e6;
+/// How often the curves of the strips are drawn farther.
+const TRIES: usize = 4;
 
 /// The law up to a rotation [rad], or one that is known and reaches it.
 ///
@@ -32,18 +34,23 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
     let line = base.modulus * width;
     let rest = 10.0 * base.pressure / base.modulus + 5.0 * base.weight / line;
     let mut pressed = reach.min(CRUSHED * base.wall_thickness() / line) + rest;
+    let mut lifted = base.rise() * reach + 0.02;
     let mut tries = 0;
     loop {
-        let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
+        let rocking = base.rocking(-pressed, lifted, true)?;
         let made = Law::new(&rocking, largest).and_then(|law| {
             let ring = setup.anchors.map(|anchors| Ring::new(anchors, &rocking, &law)).transpose()?;
-            let heave = if ring.is_none() { heave(setup, base, &rocking, &law) } else { None };
+            let heave = if ring.is_none() { heave(setup, base, &rocking, &law)? } else { None };
             Ok((law, ring, heave))
         });
         match made {
-            Err(BaseError::BeyondCurve { .. }) if tries < 2 => {
+            Err(BaseError::BeyondCurve { wanted, from, to, .. }) if tries < TRIES => {
                 tries += 1;
-                pressed *= 3.0;
+                if wanted > 0.5 * (from + to) {
+                    lifted *= 1.5;
+                } else {
+                    pressed *= 3.0;
+                }
             }
             other => {
                 let (law, ring, heave) = other?;
@@ -54,10 +61,12 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
 }
 
 /// Wall and roof on the foot, with its damping and what the ground under its ring radiates; none where it is not asked for.
-fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Option<Heave> {
-    let asked = setup.heave?;
+///
+/// Errors: no equilibrium.
+fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Result<Option<Heave>, BaseError> {
+    let Some(asked) = setup.heave else { return Ok(None) };
     let mass = std::f64::consts::TAU * base.radius * base.weight / STANDARD_GRAVITY;
-    let heave = Heave::new(mass, rocking, law);
+    let heave = Heave::new(mass, rocking, law)?;
     let stiffness = heave.stiffness();
     // 2 π R of what a metre of the ring resists with, of which c_ψ is π R³.
     let ground = 2.0 * dashpot(setup, base) / base.radius.powi(2);
@@ -65,7 +74,7 @@ fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Option<Hea
         Some(ratio) => 2.0 * ratio * (mass / stiffness).sqrt(),
         None => setup.delay,
     };
-    Some(heave.damped(own + ground / stiffness))
+    Ok(Some(heave.damped(own + ground / stiffness)))
 }
 
 /// c_ψ = π R³ ρ_s V_La B of the rim's strip on soil with shear waves; 0 without.

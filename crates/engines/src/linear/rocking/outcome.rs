@@ -24,6 +24,8 @@ use crate::response::motion::Grid;
 const PLASTIC: f64 = 0.20;
 /// Points of the cycles that are kept, and their time on either side of the largest rotation [s].
 const CYCLES: (usize, f64) = (800, 2.0);
+/// Parts of the half circumference over which the range of the rim's uplifts is looked for.
+const PLACES: usize = 24;
 /// Points of the backbone.
 const BACKBONE: usize = 60;
 /// Shares of the limit of the plastic rotation whose cycles are counted.
@@ -78,10 +80,9 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
     let count = found.laws.ring.as_ref().map_or(0.0, |ring| ring.anchors().count as f64);
     let per_length = count / (std::f64::consts::TAU * base.radius);
     let anchored = |i: usize| history.anchor_force.get(i).map_or(0.0, |force| force * per_length);
-    // A positive rotation lifts θ = 180°.
-    let rim = [-1.0, 1.0].map(|side| {
+    let rim = [0.0, std::f64::consts::PI].map(|theta| {
         let moved = turns.iter().zip(&history.rotation);
-        moved.map(|(turn, psi)| turn.centre + side * psi * base.radius).collect()
+        moved.map(|(turn, psi)| turn.rim_at(base.radius, *psi, theta)).collect()
     });
     let foot = [1.0, -1.0].map(|side| {
         let places = turns.iter().zip(&history.rotation).enumerate();
@@ -142,7 +143,7 @@ pub(super) fn moved(
     let peaks = Peaks::of(base, states.turns.iter().copied(), &found.laws, history);
     let lifted_at = peaks.uplift.1;
     let lean = history.rotation[lifted_at];
-    let [around, lifted] = around(base, &found, states.turns[lifted_at].centre, lean);
+    let [around, lifted] = around(base, &found, &states.turns[lifted_at], lean);
     let highest = now(&states, history, lifted_at);
     let result = BaseRun {
         modulus: base.modulus,
@@ -217,10 +218,10 @@ fn backbone(found: &Found, largest: f64) -> Vec<[f64; 2]> {
     (0..=BACKBONE).map(point).collect()
 }
 
-/// Uplift of the rim [m] and width that is off the ground [m] over the angle [°] of a base that leans by `lean` [rad] about its `centre` [m].
-fn around(base: &Base, found: &Found, centre: f64, lean: f64) -> [Vec<[f64; 2]>; 2] {
+/// Uplift of the rim [m] and width that is off the ground [m] over the angle [°] of a base that leans by `lean` [rad].
+fn around(base: &Base, found: &Found, turn: &Turn, lean: f64) -> [Vec<[f64; 2]>; 2] {
     let degrees = (0..=72).map(|i| 5.0 * f64::from(i));
-    let uplifts: Vec<[f64; 2]> = degrees.map(|at| [at, centre - lean * base.radius * at.to_radians().cos()]).collect();
+    let uplifts: Vec<[f64; 2]> = degrees.map(|at| [at, turn.rim_at(base.radius, lean, at.to_radians())]).collect();
     let width = |[at, w]: &[f64; 2]| [*at, found.laws.rocking.curve().at(*w).lifted_width];
     let widths = uplifts.iter().map(width).collect();
     [uplifts, widths]
@@ -263,7 +264,7 @@ impl Bottom {
 fn now(states: &States, history: &History, step: usize) -> Now {
     let at = |values: &[f64]| values.get(step).copied().unwrap_or(0.0);
     Now {
-        centre: states.turns[step].centre,
+        turn: states.turns[step],
         rotation: at(&history.rotation),
         pressure: at(&history.pressure),
         slip: at(&history.slip),
@@ -275,8 +276,10 @@ pub(super) fn floor(setup: &Setup, base: &Base, instants: &[Now]) -> Option<Floo
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut most = 0.0_f64;
     for now in instants {
-        let reach = now.rotation.abs() * base.radius;
-        range = [range[0].min(now.centre - reach), range[1].max(now.centre + reach)];
+        for i in 0..=PLACES {
+            let rim = now.turn.rim(base.radius, std::f64::consts::PI * i as f64 / PLACES as f64);
+            range = [range[0].min(rim), range[1].max(rim)];
+        }
         most = most.max(now.pressure.abs());
     }
     let form = |r: f64| {

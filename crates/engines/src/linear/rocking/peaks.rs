@@ -61,7 +61,11 @@ pub(super) fn turns(laws: &Laws, history: &History) -> impl Iterator<Item = Turn
     places.map(|(i, (psi, suction))| match (&laws.ring, history.pull.get(i)) {
         (Some(ring), Some(pull)) => ring.turn(*psi, *suction, *pull),
         _ => match history.centre.get(i) {
-            Some(centre) => laws.rocking.foot((*psi, *centre), history.moment[i], *suction),
+            Some(centre) => {
+                let heave = laws.heave.as_ref();
+                let waves = heave.map(|heave| heave.waves(&laws.law, (*psi, *centre), *suction)).unwrap_or_default();
+                laws.rocking.moved((*psi, *centre), waves, history.moment[i], *suction)
+            }
             None => laws.law.turn(*psi, *suction),
         },
     })

@@ -17,8 +17,7 @@ const MOVES: &str = "values, envelopes, histories and limit states are those wit
      section on the base has uplift, toe and slip, and the values of the wall held down beside those with uplift. Bending at the foot is not \
      given: the foot is the joint of the bottom plate. Modes, transfer functions and the response-spectrum method are those of the wall held down.";
 /// The foot of the wall on the moving base.
-pub(super) const FOOT: &str =
-    "The foot of the wall is built into a plane that lifts, turns and slides with the bottom plate.";
+pub(super) const FOOT: &str = "The foot of the wall is built into a plane that lifts, turns and slides with the bottom plate; what its foot warps beyond that does not strain it.";
 /// Name of the limit of a run that repeats.
 pub(super) const SPREAD: &str =
     "Spread of rotation, toe stress and shear of the rocking base under motions 0.1 % apart and half the time step";
@@ -140,7 +139,7 @@ const AS_BUILT: &str = "Bottom plate and wall are those as built: the sheets of 
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
     let mut list: Vec<String> = [
-        "The foot of the wall stays plane: under a free top it warps, which lifts a shorter arc higher and lowers the stress at the toe.",
+        base.foot(),
         "Strips of the bottom plate stand side by side without hoop forces.",
         "Wall and liquid follow the acceleration and the rotation of the base as its march finds them. Displacements of the wall are those relative \
          to the base.",

@@ -81,8 +81,9 @@ pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
     let bases = || shells.iter().flat_map(|s| &s.path).filter_map(|p| p.base);
     let uplift = bases().map(|b| b.uplift).fold(0.0, f64::max);
     let toe = bases().map(|b| b.toe).fold(0.0, f64::max);
-    // The plane foot of the strips lifts and sinks otherwise than the warped one.
-    let Ok(rocking) = plate.base.rocking(-0.02 - 3.0 * toe, 0.02 + 2.0 * uplift, true) else { return };
+    let base = if plan.plane { plate.base.clone().plane() } else { plate.base.clone() };
+    // Strips lift and sink otherwise than shells.
+    let Ok(rocking) = base.rocking(-0.02 - 3.0 * toe, 0.02 + 2.0 * uplift, true) else { return };
     let at = |p: &mut PushPoint| {
         let acceleration = p.acceleration;
         if let Some(base) = p.base.as_mut().filter(|b| b.rotation > 0.0) {

@@ -123,9 +123,10 @@ fn strips_and_shells_with_the_same_rim() {
             let found = path::follow(&plan, None, "perfect shell", None, &mut Keeper::new(None, &plan), &progress);
             let shell = found.unwrap().shell();
             let plate = plan.plate.as_ref().unwrap();
-            let warping = ::base::Warping::of(&case, rim == "round").unwrap();
+            let warping = ::base::Warping::of(&case).unwrap();
             let most = shell.path.iter().filter_map(|p| p.base).map(|b| b.uplift).fold(0.0, f64::max);
-            let rocking = plate.base.rocking(-0.06, 0.05 + 2.0 * most, true).unwrap();
+            let rocking = plate.base.rocking(-0.06, 0.05 + 3.0 * most, true).unwrap();
+            let plane = rocking.clone().warping(None);
             println!(
                 "{name}: K_2, K_3, K_4 = {:.1?} kPa",
                 warping.stiffness()[..3].iter().map(|k| 1e-3 * k).collect::<Vec<f64>>()
@@ -133,8 +134,8 @@ fn strips_and_shells_with_the_same_rim() {
             let row = |p: &PushPoint| {
                 let b = p.base.filter(|b| b.rotation > 2e-4 && b.rotation < 1.2 * ROTATION)?;
                 let suction = plate.suction() * p.acceleration;
-                let plane = rocking.at(b.rotation, suction).ok()?;
-                let warped = rocking.warped(b.rotation, suction, &warping);
+                let plane = plane.at(b.rotation, suction).ok()?;
+                let warped = rocking.at(b.rotation, suction);
                 let wall = plate.base.wall_thickness();
                 let of = |t: &::base::Turn| {
                     let width = rocking.curve().at(t.uplift).lifted_width;
@@ -145,10 +146,10 @@ fn strips_and_shells_with_the_same_rim() {
                     b.rotation,
                     p.acceleration / 9.81,
                     [1e-6 * b.moment, 1e3 * b.uplift, 1e-6 * b.toe_reaction, b.lifted_width, b.lifted_angle],
-                    warped.as_ref().map(|(t, _)| of(t)).unwrap_or([f64::NAN; 5]),
+                    warped.as_ref().map(of).unwrap_or([f64::NAN; 5]),
                     warped
                         .as_ref()
-                        .map(|(_, u)| u[..5].iter().map(|x| 1e3 * x).collect::<Vec<f64>>())
+                        .map(|t| t.waves[..5].iter().map(|x| 1e3 * x).collect::<Vec<f64>>())
                         .unwrap_or_default(),
                     of(&plane),
                 );
