@@ -23,6 +23,8 @@ const ROTATION: f64 = 0.05;
 const UPLIFTS: [f64; 6] = [1e-3, 10e-3, 20e-3, 50e-3, 100e-3, 200e-3];
 /// Rotations without `--rotation` [rad].
 const ROTATIONS: [f64; 5] = [2e-4, 5e-4, 1e-3, 2e-3, 5e-3];
+/// Parts of the half circumference at which the rim of a rotation is given.
+const PLACES: u32 = 36;
 /// Factors on the modulus of the ground.
 const BAND: [f64; 3] = [1.0 / 3.0, 1.0, 3.0];
 
@@ -215,7 +217,8 @@ fn point(p: &Point) -> Value {
     })
 }
 
-fn turn(t: &Turn, thickness: f64) -> Value {
+/// * `radius`: R [m]; angles of its rim are from the lifted side
+fn turn(t: &Turn, thickness: f64, radius: f64) -> Value {
     json!({
         "rotation_rad": t.rotation,
         "moment_Nm": t.moment,
@@ -223,6 +226,10 @@ fn turn(t: &Turn, thickness: f64) -> Value {
         "toe_force_N_per_m": t.toe_force,
         "toe_stress_Pa": t.toe_force / thickness,
         "lifted_angle_rad": 2.0 * t.lifted_angle,
+        "rim": (0..=PLACES).map(|i| f64::from(i) * 180.0 / f64::from(PLACES)).map(|degrees| json!({
+            "angle_deg": degrees,
+            "uplift_m": t.rim(radius, degrees.to_radians()),
+        })).collect::<Vec<_>>(),
     })
 }
 
@@ -233,7 +240,7 @@ fn ground(on: &OnGround) -> Value {
         Err((w, e)) => json!({ "uplift_m": w, "error": e.to_string() }),
     });
     let turns = on.turns.iter().map(|t| match t {
-        Ok(t) => turn(t, thickness),
+        Ok(t) => turn(t, thickness, on.base.radius),
         Err((psi, e)) => json!({ "rotation_rad": psi, "error": e.to_string() }),
     });
     json!({

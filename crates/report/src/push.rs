@@ -77,7 +77,7 @@ pub fn base(push: &Push) -> Option<Table> {
             fixed(1e3 * base.uplift, 1),
             fixed(-1e3 * base.toe, 1),
             fixed(base.lifted_width, 2),
-            fixed(2.0 * base.lifted_angle.to_degrees(), 0),
+            fixed(base.lifted_angle.to_degrees(), 0),
             fixed(base.joint_rotation(), 3),
         ]);
     }
@@ -235,6 +235,37 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
         .described(words::MERIDIAN_DESCRIPTION))
 }
 
+/// The foot of an unanchored tank around half of the circumference, beside that of the strips.
+fn foot_figure(number: usize, shell: &PushShell, gravity: f64) -> Result<Figure, Error> {
+    let shown = || shell.feet.iter().flat_map(|foot| foot.w.iter().chain(&foot.strips));
+    let x = Axis::exact("angle from the toe [°]", Dimension::Dimensionless, (0.0, 180.0), 6);
+    let y = Axis::linear("uplift of the foot", Dimension::Length, zero_and(shown().copied()), 6);
+    let mut chart = Chart::new(HALF, x, y);
+    let mut table = Table::new(columns!["State", "Angle" => "°", "Uplift", words::OF_STRIPS]);
+    let classes = [("k-static", "k-static"), ("k-fe", "k-s2"), ("k-s3", "k-s4")];
+    for (foot, (own, strips)) in shell.feet.iter().zip(classes) {
+        let degrees = || foot.theta.iter().map(|theta| theta.to_degrees());
+        let state = format!("{}, {} g", foot.title, significant(foot.acceleration / gravity, 3));
+        chart.line(degrees().zip(foot.w.iter().copied()).collect(), own, state.clone());
+        if !foot.strips.is_empty() {
+            chart.line(degrees().zip(foot.strips.iter().copied()).collect(), strips, words::strips_of(&state));
+        }
+        for i in spread(foot.w.len(), 13) {
+            table.row(vec![
+                foot.title.clone(),
+                fixed(foot.theta[i].to_degrees(), 0),
+                with_unit(foot.w[i], Dimension::Length),
+                foot.strips.get(i).map_or("–".into(), |w| with_unit(*w, Dimension::Length)),
+            ]);
+        }
+    }
+    Ok(chart
+        .with_plot_height(240.0)
+        .figure(format!("push_foot_{number}"), words::foot(shell), table)?
+        .captioned(words::FOOT)
+        .described(words::FOOT_DESCRIPTION))
+}
+
 fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     let mut out = vec![
         path_figure(push, "push_bulge", words::BULGE, Dimension::Length, |p| p.bulge)?,
@@ -242,6 +273,9 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     ];
     for (number, shell) in push.shells.iter().enumerate() {
         out.push(meridian_figure(push, number, shell)?);
+        if !shell.feet.is_empty() {
+            out.push(foot_figure(number, shell, push.gravity)?);
+        }
     }
     for (number, shell) in push.shells.iter().enumerate() {
         let deviation = shell.imperfection.as_ref().and_then(|i| i.map.as_ref());

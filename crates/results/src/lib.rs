@@ -58,8 +58,8 @@ pub use ida::{
 pub use left_out::{LeftOut, Omittable};
 pub use part::{Finding, Part};
 pub use push::{
-    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
-    PushShell, PushStrip, read_push, write_push,
+    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushFoot, PushJoint, PushLimit, PushMeridian,
+    PushPoint, PushShell, PushStrip, read_push, write_push,
 };
 pub use record_set::{Compatibility, RecordSet, SetCheck, SetPeriod, SetQuantity, SetRun, SetScatter};
 pub use run::{

@@ -71,6 +71,9 @@ pub struct PushShell {
     pub interrupted: bool,
     /// Radial displacement of the compressed meridian.
     pub meridians: Vec<PushMeridian>,
+    /// The foot of an unanchored tank at the states that are drawn.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub feet: Vec<PushFoot>,
     /// Accumulated plastic strain, the largest through the thickness, at the last state.
     pub plastic: WallMap,
 }
@@ -98,6 +101,22 @@ pub struct Imperfection {
     pub map: Option<WallMap>,
     /// Where shape and amplitude come from.
     pub source: String,
+}
+
+/// The foot of the wall of an unanchored tank around half of the circumference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushFoot {
+    /// Which state.
+    pub title: String,
+    /// Acceleration [m/s²].
+    pub acceleration: f64,
+    /// Angles from the toe [rad].
+    pub theta: Vec<f64>,
+    /// Uplift of the foot there [m].
+    pub w: Vec<f64>,
+    /// The same of the strips at the same rotation and acceleration; empty where they have no equilibrium.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub strips: Vec<f64>,
 }
 
 /// A state of equilibrium.
@@ -140,18 +159,19 @@ pub struct PushBase {
     pub toe: f64,
     /// Width of the plate that is off the ground at π [m].
     pub lifted_width: f64,
-    /// Half of the angle over which the foot is off the ground [rad].
+    /// Angle over which the foot is off the ground, which carries nothing there [rad]: 2π of a foot that is off all around.
     pub lifted_angle: f64,
     /// Plastic rotation of the plate at its joint with the wall, at π [rad].
     pub plastic_rotation: f64,
     /// Plastic rotation of the wall at that joint, at π [rad].
     #[serde(default)]
     pub wall_rotation: f64,
-    /// Axial membrane compression of the wall at the toe, in the lowest row of cells [Pa].
+    /// Axial membrane compression of the wall at the toe [Pa]: that of the lowest row of cells; where the foot is kept a plane, the constraint
+    /// loads the wall there, and this is `toe_reaction`.
     #[serde(default)]
     pub toe_stress: f64,
     /// Reaction of the ground on the meridian of the toe less the pressure on the plate there, over the thickness of the lowest course [Pa]: that
-    /// stress where the foot is free to warp, the force of the strips where it is kept a plane.
+    /// stress where the foot is free to warp.
     #[serde(default)]
     pub toe_reaction: f64,
     /// Moment of the strips at the same rotation and acceleration [N m]; `None` where they have no equilibrium.
@@ -162,7 +182,7 @@ pub struct PushBase {
     pub strip: Option<PushStrip>,
 }
 
-/// Strips side by side under a plane foot, at the rotation and acceleration of a state.
+/// Strips side by side with the same rim, or the same plane foot, at the rotation and acceleration of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PushStrip {
     /// Uplift at π [m].

@@ -23,7 +23,7 @@ pub mod heads {
     /// Moment of the strips.
     pub const STRIPS: &str = "Moment of the strips";
     /// The same of the strips.
-    pub const OF_STRIPS: &str = "of the strips";
+    pub use super::OF_STRIPS;
     /// Rotation of the joint by the plate.
     pub const PLATE: &str = "Plastic rotation of the plate";
     /// Rotation of the joint by the wall.
@@ -43,6 +43,13 @@ pub const MERIDIAN: &str = "Outwards to the right.";
 /// Description of a meridian.
 pub const MERIDIAN_DESCRIPTION: &str =
     "Radial displacement of the compressed meridian over the height: static, strongest and last state.";
+/// Caption of a foot.
+pub const FOOT: &str = "Compressed at 0°, lifted at 180°; above 0 the ground carries nothing.";
+/// Description of a foot.
+pub const FOOT_DESCRIPTION: &str =
+    "Uplift of the foot of the wall around half of the circumference, of shells and strips.";
+/// Head of the uplift of the strips.
+pub const OF_STRIPS: &str = "of the strips";
 /// Caption of a map.
 pub const MAP: &str = "Half of the developed wall, compressed at θ = 0.";
 
@@ -54,6 +61,16 @@ pub fn path(title: &str) -> String {
 /// Title of a meridian.
 pub fn meridian(shell: &PushShell) -> String {
     format!("Compressed meridian, {}", shell_name(shell))
+}
+
+/// Title of a foot.
+pub fn foot(shell: &PushShell) -> String {
+    format!("Foot of the wall, {}", shell_name(shell))
+}
+
+/// The strips at a state.
+pub fn strips_of(state: &str) -> String {
+    format!("strips, {state}")
 }
 
 /// `perfect shell`, `0.50 t outwards at 0.35 m`, `0.50 t, buckling mode`.

@@ -50,7 +50,8 @@ impl<'f> Keeper<'f> {
     /// For a plan; the file is not touched yet.
     pub(super) fn new(file: Option<&'f CheckpointFile>, plan: &Plan) -> Keeper<'f> {
         let mut hash = Hash::default();
-        hash.text("pushover");
+        // With the uplift of the foot.
+        hash.text("pushover 2");
         hash.text(file.map_or("", |f| &f.key));
         for values in [&plan.levels, &plan.angles, &plan.impulsive.line] {
             hash.count(values.len());

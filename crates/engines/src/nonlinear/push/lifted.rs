@@ -44,8 +44,8 @@ pub(super) fn base(
         let first = model.ground_force(bottom.ground[i][0], up(bottom.rings[i][0]));
         toe += first - bottom.rest[i][0] - acceleration * plate.impulsive[i] * wet[i] * cosine;
     }
-    let pressed: Vec<bool> = foot.iter().map(|n| up(*n) <= 0.0).collect();
-    let lifted = shares(angles).iter().zip(&pressed).filter(|(_, p)| !**p).map(|(s, _)| s).sum();
+    let rim = rim(plan, model, state);
+    let toe_reaction = toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness());
     let width = bottom.rings[plate.foot..]
         .iter()
         .zip(&plate.radii[plate.foot..])
@@ -63,16 +63,34 @@ pub(super) fn base(
         uplift: up(foot[last]),
         toe: -up(foot[0]),
         lifted_width: width,
-        lifted_angle: lifted,
+        lifted_angle: 2.0 * lifted(angles, &rim),
         plastic_rotation: bottom::hinge::plastic_rotation(&model.model, bottom, plate.foot, true, state)
             .map_err(failed)?
             .abs(),
         wall_rotation: bottom::hinge::wall_rotation(&model.model, wall, state).map_err(failed)?.abs(),
-        toe_stress,
-        toe_reaction: toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness()),
+        // The constraint of a plane foot loads the wall there, not the ground.
+        toe_stress: if plan.plane { toe_reaction } else { toe_stress },
+        toe_reaction,
         strips: None,
         strip: None,
     }))
+}
+
+/// Uplift of the foot at the angles of the model [m]; empty of an anchored tank.
+pub(super) fn rim(plan: &Plan, model: &PushModel, state: &State) -> Vec<f64> {
+    let (Some(plate), Some(bottom)) = (&plan.plate, &model.bottom) else { return Vec::new() };
+    let up = |node: &usize| model.model.at_node(&state.committed.u, *node)[Dof::Uz.index()];
+    bottom.rings[plate.foot].iter().map(up).collect()
+}
+
+/// Part of the angles over which the foot is off the ground [rad], straight between nodes.
+fn lifted(angles: &[f64], rim: &[f64]) -> f64 {
+    let part = |(at, w): (&[f64], &[f64])| {
+        let (high, low) = (w[0].max(w[1]), w[0].min(w[1]));
+        let share = if low >= 0.0 && high > 0.0 { 1.0 } else { high.max(0.0) / (high - low).max(f64::MIN_POSITIVE) };
+        share * (at[1] - at[0])
+    };
+    angles.windows(2).zip(rim.windows(2)).map(part).sum()
 }
 
 /// Adds what the strips have at the rotations and accelerations of the paths.
@@ -100,6 +118,14 @@ pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
         }
     };
     for shell in shells {
+        for foot in &mut shell.feet {
+            let state = shell.path.iter().find(|p| p.acceleration == foot.acceleration).and_then(|p| p.base);
+            let turn = state.and_then(|b| rocking.at(b.rotation, plate.suction() * foot.acceleration).ok());
+            if let Some(turn) = turn {
+                // The lifted side is at π.
+                foot.strips = foot.theta.iter().map(|theta| turn.rim(plan.radius, PI - theta)).collect();
+            }
+        }
         shell.path.iter_mut().for_each(at);
         at(&mut shell.capacity.state);
     }

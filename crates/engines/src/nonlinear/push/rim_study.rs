@@ -145,7 +145,7 @@ fn strips_and_shells_with_the_same_rim() {
                     "  ψ {:.2e}  a {:.3} g\n    shells {:8.3?}\n    strips {:8.3?}  {:.2?}\n    plane  {:8.3?}",
                     b.rotation,
                     p.acceleration / 9.81,
-                    [1e-6 * b.moment, 1e3 * b.uplift, 1e-6 * b.toe_reaction, b.lifted_width, b.lifted_angle],
+                    [1e-6 * b.moment, 1e3 * b.uplift, 1e-6 * b.toe_reaction, b.lifted_width, 0.5 * b.lifted_angle],
                     warped.as_ref().map(of).unwrap_or([f64::NAN; 5]),
                     warped
                         .as_ref()
@@ -156,6 +156,15 @@ fn strips_and_shells_with_the_same_rim() {
                 Some(())
             };
             let count = shell.path.iter().filter_map(row).count();
+            if let Some(foot) = shell.feet.last() {
+                let width = std::f64::consts::PI / (foot.w.len() - 1) as f64;
+                let wave = |n: usize| {
+                    let at = |i: usize| foot.w[i] * (n as f64 * (std::f64::consts::PI - foot.theta[i])).cos();
+                    let sum: f64 = (1..foot.w.len()).map(|i| 0.5 * (at(i) + at(i - 1))).sum();
+                    1e3 * sum * width * 2.0 / std::f64::consts::PI
+                };
+                println!("  U of shells, last state: {:.2?}", (2..13).map(wave).collect::<Vec<f64>>());
+            }
             println!(
                 "  {count} of {} states, {}",
                 shell.path.len(),

@@ -11,7 +11,7 @@ use super::lifted;
 use super::limits;
 use super::model::{Plan, PushModel};
 use crate::FeError;
-use results::{Capacity, PushBase, PushMeridian, PushPoint, PushShell, WallMap};
+use results::{Capacity, PushBase, PushFoot, PushMeridian, PushPoint, PushShell, WallMap};
 
 /// The compressed meridian at one state, and the places of the wall that yield or buckle.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +25,8 @@ struct Meridian {
     hoop: Vec<f64>,
     /// Largest plastic strain of every element of the wall, sector after sector.
     plastic: Vec<f64>,
+    /// Uplift of the foot at the angles; empty of an anchored tank.
+    rim: Vec<f64>,
 }
 
 /// States seen so far.
@@ -80,6 +82,7 @@ impl<'a> Seen<'a> {
             meridian.axial.push(-mean(1) / t);
         }
         meridian.plastic = plastic(model, state);
+        meridian.rim = lifted::rim(self.plan, model, state);
         let largest = |values: &[f64]| (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
         let compressed = largest(&meridian.axial);
         let rest = self.meridians.first().map_or(&meridian.w, |m| &m.w);
@@ -158,8 +161,17 @@ impl<'a> Seen<'a> {
             pressure: hydrostatic + state_there.acceleration * self.plan.impulsive.pressure(height),
             beam: limits::stress(self.plan, 0.0, state_there.base_moment),
         };
-        let mut meridians = Vec::new();
+        let (mut meridians, mut feet) = (Vec::new(), Vec::new());
         let mut picture = |title: &str, i: usize| {
+            if !self.meridians[i].rim.is_empty() {
+                feet.push(PushFoot {
+                    title: title.into(),
+                    acceleration: self.points[i].acceleration,
+                    theta: self.plan.angles.clone(),
+                    w: self.meridians[i].rim.clone(),
+                    strips: Vec::new(),
+                });
+            }
             meridians.push(PushMeridian {
                 title: title.into(),
                 acceleration: self.points[i].acceleration,
@@ -180,6 +192,7 @@ impl<'a> Seen<'a> {
             end,
             interrupted: false,
             meridians,
+            feet,
             plastic: WallMap {
                 id: "plastic_strain".into(),
                 title: "Largest plastic strain through the thickness, last state".into(),
@@ -220,7 +233,7 @@ impl<'a> Seen<'a> {
                     base.toe_reaction,
                 ]);
             }
-            for values in [&m.w, &m.field, &m.axial, &m.hoop, &m.plastic] {
+            for values in [&m.w, &m.field, &m.axial, &m.hoop, &m.plastic, &m.rim] {
                 to.numbers(values);
             }
         }
@@ -274,6 +287,7 @@ impl<'a> Seen<'a> {
                 axial: read("axial compressions", rows)?,
                 hoop: read("hoop stresses", rows)?,
                 plastic: read("plastic strains", rows * sectors)?,
+                rim: read("uplifts of the foot", if plan.plate.is_some() { angles } else { 0 })?,
             });
         }
         match seen.len() {

@@ -330,12 +330,13 @@ pub(super) const ALL: &[Words] = &[
                 "base",
                 "The foot of the wall on its bottom plate. Rotation: the part of the foot's deflection that is proportional to cos θ, over \
                  R; the moment of the wall on the base from the reactions of the ground; uplift, lifted width and plastic rotation of the \
-                 joint on the lifted side. Moment of the strips: that of the fast engines, with a foot that stays plane, at the same \
-                 rotation and bottom pressure.",
+                 joint on the lifted side; lifted angle: all of the circumference that is off the ground. Moment of the strips: that of the \
+                 fast engines, with the same rim or the same plane foot, at the same rotation and bottom pressure.",
             ),
             (
                 "strips",
-                "Shells beside strips. Toe stress: axial membrane compression of the lowest row of elements at the toe. The plastic rotation of \
+                "Shells beside strips. Toe stress: axial membrane compression of the lowest row of elements at the toe, and of a foot that is kept \
+                 plane the reaction of the ground there. The plastic rotation of \
                  the joint is that of the plate and that of the wall together; the strips have an elastic wall, so theirs is in the plate \
                  alone.",
             ),
