@@ -2,7 +2,8 @@
 
 use oscillator::record::Record;
 
-use crate::{Answer, Pace};
+use crate::records::EL_CENTRO;
+use crate::{Answer, Pace, Records};
 
 /// A benchmark: a page of the manual.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +31,8 @@ pub enum Part {
     Slow(fn() -> Answer),
     /// Takes the El Centro record of 1940 (Caltech, 0.348 g): the program with `--records`.
     Record(fn(&Record) -> Answer),
+    /// Takes the records of these names: the program with `--records`.
+    Records(&'static [&'static str], fn(&Records) -> Answer),
 }
 
 impl Part {
@@ -39,7 +42,16 @@ impl Part {
             Part::Fast(_) => Pace::Fast,
             Part::Tested(_) => Pace::Tested,
             Part::Slow(_) => Pace::Slow,
-            Part::Record(_) => Pace::Record,
+            Part::Record(_) | Part::Records(..) => Pace::Record,
+        }
+    }
+
+    /// Names of the records that it takes.
+    pub fn records(&self) -> &'static [&'static str] {
+        match self {
+            Part::Record(_) => &[EL_CENTRO],
+            Part::Records(names, _) => names,
+            Part::Fast(_) | Part::Tested(_) | Part::Slow(_) => &[],
         }
     }
 }

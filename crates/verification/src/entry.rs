@@ -71,6 +71,9 @@ pub struct Entry {
     /// Convergence study: (number of elements or mesh size, relative error).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub convergence: Vec<(f64, f64)>,
+    /// What the reader is told beside the numbers.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub remark: String,
 }
 
 /// Kinds of references in the order of the index, with their meaning.
@@ -116,6 +119,7 @@ impl Entry {
             tolerance: rounded(row.tolerance),
             pace,
             convergence: row.convergence.iter().filter_map(finite).collect(),
+            remark: row.remark.clone(),
         }
     }
 

@@ -114,7 +114,8 @@ pub fn html(found: &Manual) -> Result<String, Error> {
                 (_, true) => "comparison only",
                 _ => "✓",
             };
-            table.row(manual::cells(row).into_iter().chain([state.to_owned()]).collect());
+            let told = if row.remark.is_empty() { state.to_owned() } else { format!("{state}; {}", row.remark) };
+            table.row(manual::cells(row).into_iter().chain([told]).collect());
         }
         views.push(BenchmarkView {
             figures: benchmark.figure()?.iter().map(FigureView::of).collect(),

@@ -20,6 +20,7 @@ mod dynamics;
 pub mod elements;
 mod entry;
 mod error;
+mod experiments;
 mod fluid;
 pub mod html;
 pub mod manual;
@@ -107,6 +108,7 @@ pub const ALL: &[&Benchmark] = &[
     &fluid::sloshing_box::BENCHMARK,
     &fluid::impulsive::BENCHMARK,
     &fluid::large_wave::BENCHMARK,
+    &experiments::BENCHMARK,
     &dynamics::time_integration::BENCHMARK,
     &dynamics::rayleigh_damping::BENCHMARK,
     &dynamics::dashpots::BENCHMARK,

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use files::code::Code;
 use files::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INTERRUPTED, EXIT_OK};
-use verification::records::{EL_CENTRO, PACOIMA, PARKFIELD};
+use verification::records::{EL_CENTRO, EL_CENTRO_NGA, PACOIMA, PARKFIELD};
 use verification::{Choice, Error, Manual, Pattern, Records, manual, nearest, tanks};
 
 /// Runs the benchmarks of the verification manual.
@@ -147,7 +147,7 @@ fn records(args: &Args) -> Result<Option<Records>, Error> {
     // The page of the dissertation's examples takes minutes and all records.
     let whole = args.slow && args.write.is_some() && args.pattern.is_none();
     let names: &[&str] = if whole { &[EL_CENTRO, PARKFIELD, PACOIMA] } else { &[EL_CENTRO] };
-    Ok(Some(Records::read(folder, names)?))
+    Ok(Some(Records::read(folder, names)?.and(folder, &[PARKFIELD, PACOIMA, EL_CENTRO_NGA])?))
 }
 
 /// Writes the manual: rows that ran, and the last results of the others.

@@ -87,7 +87,7 @@ pub fn to_json(manual: &Manual) -> serde_json::Value {
             "id": row.id, "page": row.page, "what": row.what, "unit": row.unit, "reference": row.reference,
             "reference_kind": row.kind, "reference_source": row.source, "computed": row.computed,
             "error": row.computed.map(|_| row.error()), "tolerance": row.tolerance, "holds": (!row.compares()).then(|| row.holds()),
-            "comparison": row.compares(), "counts": row.counts(), "pace": row.pace, "convergence": row.convergence,
+            "comparison": row.compares(), "counts": row.counts(), "pace": row.pace, "convergence": row.convergence, "remark": row.remark,
         })
     };
     json!({
@@ -183,12 +183,14 @@ fn page(page: &Page, figure: bool) -> String {
 }
 
 /// Remark on a row.
-fn remark(row: &Entry) -> &'static str {
-    match (row.fails(), row.compares()) {
+fn remark(row: &Entry) -> String {
+    let state = match (row.fails(), row.compares()) {
         (true, _) => "**outside**",
         (_, true) => "comparison only",
         _ => "",
-    }
+    };
+    let both = [state, row.remark.as_str()];
+    cell(&both.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("; "))
 }
 
 /// The index: how many rows of each kind, the pages, the ids.
@@ -254,7 +256,7 @@ fn index_line(page: &Page) -> String {
 /// The letters that begin ids.
 const SERIES: &str = "\n## Ids\n\nAn id names what is compared; rows of one id differ in the quantity or the mesh. C: solid \
 elements, joints, layered walls and strip 8.4. D: dynamics. F: the liquid with its tank. K: the displacement liquid. M: stress \
-laws. S: shells. All others are named after the table, figure or example of their source.\n\n\
+laws. S: shells. X: tanks of other programs and tests. All others are named after the table, figure or example of their source.\n\n\
 | id | what it compares | page |\n|---|---|---|\n";
 
 /// The table of ids: letter, then number, then all others.
@@ -345,6 +347,7 @@ mod tests {
             tolerance,
             unit: "m",
             convergence: vec![(10.0, 0.1), (20.0, 0.05)],
+            remark: String::new(),
         };
         Entry::of(&row, page, pace)
     }

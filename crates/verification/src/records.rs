@@ -15,6 +15,8 @@ pub const EL_CENTRO: &str = "imperial-valley-1940-el-centro-ns.csv";
 pub const PARKFIELD: &str = "parkfield-1966-cholame-5-n85e.csv";
 /// Pacoima Dam S16E, San Fernando 1971.
 pub const PACOIMA: &str = "san-fernando-1971-pacoima-dam-164.csv";
+/// El Centro, component 180, of the NGA-West2 database (0.281 g).
+pub const EL_CENTRO_NGA: &str = "imperial-valley-1940-el-centro-180-nga.csv";
 /// Columns of these files.
 const HEAD: &str = "time_s,acceleration_m_s2";
 
@@ -38,6 +40,15 @@ impl Records {
             Ok(((*name).to_owned(), record))
         };
         names.iter().map(each).collect::<Result<_, Error>>().map(Records)
+    }
+
+    /// These and the files of `names` that the folder has.
+    ///
+    /// Errors: those of [`Records::read`].
+    pub fn and(mut self, folder: &Path, names: &[&str]) -> Result<Records, Error> {
+        let there: Vec<&str> = names.iter().copied().filter(|name| folder.join(name).exists()).collect();
+        self.0.extend(Records::read(folder, &there)?.0);
+        Ok(self)
     }
 
     /// The record of a file.

@@ -39,6 +39,8 @@ pub struct Row {
     pub unit: &'static str,
     /// Convergence study: (number of elements or mesh size, relative error).
     pub convergence: Vec<(f64, f64)>,
+    /// What the reader is told beside the numbers; mostly empty.
+    pub remark: String,
 }
 
 impl Row {
@@ -60,7 +62,13 @@ impl Row {
             tolerance,
             unit,
             convergence: Vec::new(),
+            remark: String::new(),
         }
+    }
+
+    /// The row with a remark.
+    pub fn remarked(self, remark: impl Into<String>) -> Row {
+        Row { remark: remark.into(), ..self }
     }
 
     /// Deviation: relative to the reference, absolute if the reference is 0.

@@ -110,21 +110,29 @@ impl Choice<'_> {
 
     /// Whether the parts of this pace of the benchmark `page` run.
     pub fn runs(&self, page: &str, pace: Pace) -> bool {
-        self.needs(pace).is_none() && self.benchmarks().any(|benchmark| benchmark.id == page)
+        self.benchmarks().any(|benchmark| benchmark.id == page && self.needs(benchmark, pace).is_none())
     }
 
     /// Number of parts that [`run`] begins.
     pub fn parts(&self) -> u64 {
-        let each = |benchmark: &'static Benchmark| benchmark.parts.iter().filter(|p| self.needs(p.pace()).is_none());
+        let each = |benchmark: &'static Benchmark| {
+            benchmark.parts.iter().filter(|part| self.needs(benchmark, part.pace()).is_none())
+        };
         self.benchmarks().flat_map(each).count() as u64
     }
 
-    /// The option that a part of this pace needs and this choice lacks.
-    fn needs(&self, pace: Pace) -> Option<String> {
+    /// The option that the parts of this pace of a benchmark need and this choice lacks.
+    fn needs(&self, benchmark: &Benchmark, pace: Pace) -> Option<String> {
         match pace {
             Pace::Tested | Pace::Slow if !self.slow => Some("--slow".into()),
-            Pace::Record if self.records.is_none() => Some(format!("--records FOLDER with {EL_CENTRO}")),
-            _ => None,
+            Pace::Record => {
+                let names = benchmark.parts.iter().flat_map(|part| part.records());
+                let given = |name: &str| self.records.is_some_and(|records| records.get(name).is_ok());
+                let mut lacking: Vec<&str> = names.copied().filter(|name| !given(name)).collect();
+                lacking.dedup();
+                (!lacking.is_empty()).then(|| format!("--records FOLDER with {}", lacking.join(", ")))
+            }
+            Pace::Fast | Pace::Tested | Pace::Slow => None,
         }
     }
 }
@@ -156,7 +164,7 @@ pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
     let mut manual = Manual::default();
     for benchmark in choice.benchmarks() {
         for part in benchmark.parts {
-            if let Some(needs) = choice.needs(part.pace()) {
+            if let Some(needs) = choice.needs(benchmark, part.pace()) {
                 let lacking = NotRun { id: benchmark.id.into(), what: benchmark.title.into(), needs };
                 if !manual.not_run.contains(&lacking) {
                     manual.not_run.push(lacking);
@@ -177,6 +185,7 @@ fn rows(part: &Part, records: Option<&Records>) -> Answer {
     match part {
         Part::Fast(rows) | Part::Tested(rows) | Part::Slow(rows) => rows(),
         Part::Record(rows) => rows(records.ok_or("no records")?.get(EL_CENTRO)?),
+        Part::Records(_, rows) => rows(records.ok_or("no records")?),
     }
 }
 

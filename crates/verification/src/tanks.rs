@@ -30,7 +30,7 @@ pub(crate) mod transfer;
 const G: f64 = 9.81;
 
 /// A record as the dissertation describes its treatment: scaled to 0.5 g, its time axis compressed by √3.
-fn as_described(original: &Record) -> Record {
+pub(crate) fn as_described(original: &Record) -> Record {
     let factor = 0.5 * G / original.pga();
     Record {
         dt: original.dt * (1.0 / 3.0_f64.sqrt()),

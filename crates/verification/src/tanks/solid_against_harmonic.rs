@@ -93,6 +93,7 @@ fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: 
         let convergence =
             meshes.iter().zip(&runs).map(|(refine, run)| (1.0 / refine, (value(run) / expected - 1.0).abs())).collect();
         rows.push(Row {
+            remark: String::new(),
             id: format!("solid-{name}"),
             what: format!("{}, refinement {}", quantity.title(), meshes[meshes.len() - 1]),
             reference: expected / scale,

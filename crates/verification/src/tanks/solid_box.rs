@@ -110,6 +110,7 @@ fn waves() -> Answer {
         // Linear elements of length h overestimate k² by (k h)²/12 along each direction; twice the half of it.
         let step = PI / 16.0 * f64::from(i.max(j));
         rows.push(Row {
+            remark: String::new(),
             id: "box-waves".into(),
             what: format!("ω of wave ({i}, {j}), 8 elements over each half side"),
             reference: exact,
