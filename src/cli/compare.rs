@@ -33,6 +33,7 @@ use folders::{Folders, announce_loss};
 use report::words::{self, terminal};
 use results::compare::unusable;
 use results::{self, EngineId, LeftOut, Omittable, Results, Verdict, VerdictStatus, vtu};
+use tank::options::linear::LiquidModel;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -328,6 +329,14 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Some(IntegratorArg::Modal) => options.integrator = Integrator::Modal,
         Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
         None => {}
+    }
+    if args.solid.is_nonlinear() {
+        options.liquid = LiquidModel::Nonlinear;
+        if job.engines.is_empty() {
+            return Err(Error::conflict(
+                "--liquid nonlinear: there is no liquid without an engine\n  help: remove --fe none",
+            ));
+        }
     }
     if args.vtu.is_some() && job.engines.is_empty() {
         return Err(Error::conflict("--vtu: there is nothing to draw without an engine\n  help: remove --fe none"));

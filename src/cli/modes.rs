@@ -111,6 +111,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         count: args.count,
         memory_limit_mib: args.memory.over(tank.solid.memory_limit_mib),
     };
+    if args.solid.is_nonlinear() {
+        let text = "--liquid nonlinear: modes are those of small waves\n  help: remove --liquid nonlinear";
+        return Err(Error::conflict(text));
+    }
     let (modes, notes) = match (fe, args.solid.given()) {
         (Engine::Harmonic, Some(option)) => {
             let text = format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid");

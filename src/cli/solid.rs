@@ -11,7 +11,8 @@ pub(crate) struct SolidArgs {
     /// [default: by the size of the tank].
     #[arg(long, value_name = "RxSxV", allow_hyphen_values = true)]
     mesh: Option<MeshSize>,
-    /// Formulation of the liquid [default: potential, or as in the tank file].
+    /// Liquid: of the three-dimensional engine potential or displacement [default: potential, or as in the tank file]; of the default engine
+    /// nonlinear [default: linear, or as in the tank file]. A nonlinear run stands beside linear waves that are not small in any case.
     #[arg(long, value_enum)]
     liquid: Option<LiquidArg>,
 }
@@ -23,13 +24,25 @@ pub(crate) enum LiquidArg {
     Potential,
     /// Displacements in convective coordinates with a rotation penalty.
     Displacement,
+    /// Potential flow of third order in the wave, its base shear and moments, by the default engine.
+    Nonlinear,
 }
 
 impl SolidArgs {
     /// The first of these options that was given.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let mesh = self.mesh.map(|_| "--mesh");
-        mesh.or(self.liquid.map(|_| "--liquid"))
+        mesh.or(self.of_solid().map(|_| "--liquid"))
+    }
+
+    /// Whether the liquid of the default engine is nonlinear.
+    pub(crate) fn is_nonlinear(&self) -> bool {
+        self.liquid == Some(LiquidArg::Nonlinear)
+    }
+
+    /// The formulation, where it is one of the three-dimensional engine.
+    fn of_solid(&self) -> Option<LiquidArg> {
+        self.liquid.filter(|liquid| *liquid != LiquidArg::Nonlinear)
     }
 
     /// Applies these options over those of the tank file.
@@ -39,7 +52,7 @@ impl SolidArgs {
         match self.liquid {
             Some(LiquidArg::Potential) => options.liquid = Liquid::Potential,
             Some(LiquidArg::Displacement) => options.liquid = Liquid::Displacement,
-            None => {}
+            Some(LiquidArg::Nonlinear) | None => {}
         }
         options
     }
@@ -51,7 +64,7 @@ impl SolidArgs {
             Liquid::Potential => "potential",
             Liquid::Displacement => "displacement",
         };
-        let given = [self.mesh.map(|m| m.to_string()), self.liquid.map(|_| liquid.to_owned())];
+        let given = [self.mesh.map(|m| m.to_string()), self.of_solid().map(|_| liquid.to_owned())];
         for (mut line, given) in solid_defaults().into_iter().zip(given) {
             let in_file = job.echo.iter().any(|e| e.path == line.path);
             match given {

@@ -47,7 +47,7 @@ impl Columns {
             self.outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
             let mut method = runs::method(job, number, &simulation, findings);
             if let Some(design) = design {
-                design::engine(&mut method, design);
+                design::engine(&mut method, design, &job.case);
             }
             self.methods.push(method);
         }

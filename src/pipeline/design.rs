@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use codes::time_history::Findings;
-use tank::Quantity;
 use tank::assessment::{Check, Excitation};
+use tank::{Case, Quantity};
 
-use super::quantities::quantities;
+use super::quantities::with_crest;
 use results::{Method, RecordSet, Value};
 
 /// What the rule of the code of the site says of the records of a run.
@@ -49,8 +49,8 @@ pub(super) fn procedures(methods: &mut [Method], design: &Design) {
 }
 
 /// The same for the column of the engine, whose checks come from the findings.
-pub(super) fn engine(method: &mut Method, design: &Design) {
-    let mut values = quantities(&design.values);
+pub(super) fn engine(method: &mut Method, design: &Design, case: &Case) {
+    let mut values = with_crest(case, &design.values);
     // Periods and masses are those of the tank: of the run that is shown, where the mass of the wall is separated from that of the liquid.
     values.retain(|id, _| Quantity::from_id(id).is_some_and(Quantity::is_response));
     let own = std::mem::take(&mut method.quantities).into_iter();

@@ -1,16 +1,21 @@
 //! The code procedures of a job: which run, what they give, their verdict.
 
+use std::collections::BTreeMap;
+
 use files::code::Code;
 
-use super::quantities::quantities;
+use super::quantities::with_crest;
 use super::{decision, runs};
 use crate::error::Error;
 use crate::job::Job;
 use codes::Procedure;
 use codes::procedure::CodeError;
 use results::{Method, Status, Verdict, finite};
+use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
 use tank::ingredients::Ingredients;
+use tank::large_wave::LargeWave;
+use tank::units::{Dimension, display};
 
 /// A procedure's column, and what its quantities are made of.
 pub(super) type Assessed = (Method, Vec<Ingredients>);
@@ -97,21 +102,33 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
             decision::not_covered(procedure, job, excitation, &format!("{clause}: {reason}"))
         }
     };
+    let mut notes = assessment.notes;
+    notes.extend(crest(job, &assessment.values));
     let label = procedure.label();
     let method = Method {
         label: label.short.into(),
         figure_key: label.figure_key.into(),
         status,
-        quantities: quantities(&assessment.values),
+        quantities: with_crest(&job.case, &assessment.values),
         steps: assessment.steps,
         checks,
         profiles: assessment.profiles,
         courses: assessment.courses,
         assumptions,
-        notes: assessment.notes,
+        notes,
         beyond_scope: assessment.beyond_scope,
         hold_down: assessment.hold_down,
         ..Method::new(procedure.id(), label.title, excitation)
     };
     Ok((method, ingredients))
+}
+
+/// What a procedure's wave amounts to where its height is within the freeboard and its crest is not.
+fn crest(job: &Job, values: &BTreeMap<Quantity, f64>) -> Option<String> {
+    let wave = *values.get(&Quantity::SloshingHeight)?;
+    let (crest, freeboard) = (LargeWave::of(&job.case).crest(wave), job.case.freeboard());
+    (wave <= freeboard && freeboard < crest).then(|| {
+        let [wave, crest, freeboard] = [wave, crest, freeboard].map(|value| display(value, Dimension::Length));
+        format!("The wave of {wave} is within the freeboard of {freeboard}; its crest, which the procedure does not ask for, is {crest}.")
+    })
 }

@@ -6,8 +6,9 @@ use files::code::Code;
 use tank::Course;
 use tank::assessment::Excitation;
 use tank::demand::Demands;
+use tank::options::linear::LiquidModel;
 
-use super::quantities::quantities;
+use super::quantities::with_crest;
 use super::{decision, unsaid};
 use crate::error::{EXIT_COMPUTATION, Error};
 use crate::job::Job;
@@ -15,7 +16,11 @@ use engines::damping::Damper;
 use engines::{FeError, Simulation, engine, nonlinear};
 use results::compare::{Damping, Happened, Incomplete};
 use results::nonlinear::End;
-use results::{LeftOut, Method, Omittable, Run};
+use results::{EngineId, LeftOut, Method, Omittable, Run};
+
+/// Why an engine other than the default one has no nonlinear liquid.
+const NO_NONLINEAR: &str = "a nonlinear liquid (--liquid nonlinear, `analysis.liquid`) is one of the default engine\n  help: remove it, or run the \
+                            default engine too (--fe both)";
 
 /// Rejects a job with input that one of its engines does not support.
 ///
@@ -23,6 +28,10 @@ use results::{LeftOut, Method, Omittable, Run};
 pub(super) fn admit(job: &Job) -> Result<(), Error> {
     let task = job.task();
     let refused = job.engines.iter().find_map(|&id| engine(id).refuses(&task).into_iter().next());
+    let default = job.engines.is_empty() || job.engines.contains(&EngineId::Harmonic);
+    if job.linear.liquid == LiquidModel::Nonlinear && !default {
+        return Err(Error::input(Code::Unsupported, NO_NONLINEAR.into()));
+    }
     let Some(refusal) = refused else { return Ok(()) };
     let mut text = refusal.message.clone();
     for (word, what) in [("found", &refusal.found), ("expected", &refusal.allowed)] {
@@ -81,7 +90,7 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation, findings
     Method {
         label: id.label(number).into(),
         figure_key: id.figure_key(number).into(),
-        quantities: quantities(&simulation.values),
+        quantities: with_crest(&job.case, &simulation.values),
         assumptions,
         notes: [simulation.notes.clone(), findings.notes].concat(),
         checks: decision::checks_of_run(job, id.column(number), unsaid::leave_open(job, findings.checks)),

@@ -12,7 +12,7 @@ use tank::outside::Outside;
 use tank::units::Dimension;
 use tank::{Quantity, Shape, Support};
 
-use super::quantities::quantities;
+use super::quantities::with_crest;
 use crate::job::Job;
 use engines::Simulation;
 use engines::modes::Kind;
@@ -106,7 +106,7 @@ fn respond(
     let errors = errors.unwrap_or_default();
     let outside = outside(job, engine, &found);
     let upwards = action.upwards.as_ref().filter(|_| units.vertical.is_some());
-    method.quantities = quantities(&values);
+    method.quantities = with_crest(&job.case, &values);
     method.steps = steps(units, &found);
     if let (Some(up), Some(mode)) = (upwards, breathing) {
         for (symbol, (name, at), period) in

@@ -42,6 +42,16 @@ fn options_of_the_other_engine_are_refused() {
         let text = stderr(&run);
         assert!(text.contains(option[0]) && text.contains("--fe solid"), "{text}");
     }
+    // The nonlinear liquid is one of the default engine.
+    for command in [
+        &["compare", TANK, "--quake", QUAKE, "--fe", "solid", "--liquid", "nonlinear"][..],
+        &["compare", TANK, "--quake", QUAKE, "--fe", "none", "--liquid", "nonlinear"],
+        &["modes", TANK, "--liquid", "nonlinear"],
+    ] {
+        let run = tankcheck(command);
+        assert_eq!(run.status.code(), Some(2), "{command:?}");
+        assert!(stderr(&run).contains("--liquid nonlinear"), "{}", stderr(&run));
+    }
     let run = tankcheck(&["modes", TANK, "--mesh", "4x8x4"]);
     assert_eq!(run.status.code(), Some(2));
     let run = tankcheck(&["compare", TANK, "--quake", QUAKE, "--fe", "solid", "--memory-limit", "0"]);

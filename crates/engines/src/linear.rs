@@ -6,6 +6,7 @@ pub(crate) mod demands;
 pub(crate) mod describe;
 mod drawn;
 pub(crate) mod isolation;
+mod large_wave;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
@@ -152,6 +153,7 @@ fn finished(case: &Case, options: &Options, simulation: &mut Simulation) -> Resu
             "`analysis.snapshots`: states at given times are those of the three-dimensional engine (--fe solid, --fe both).".into(),
         );
     }
+    large_wave::put(options.liquid, simulation);
     if let Some(angle) = options.tilt {
         let build = |tilted: &Case| crate::harmonic::build_observed(tilted, options, 1, Places::Usual);
         simulation.result.parts.push(tilt::tilt(case, angle, build)?);
@@ -350,7 +352,13 @@ fn report(
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
-    let of_wall = limits::limits(case, seen, (&analysis, around.as_ref()), (motion.horizontal.dt, linear.engine));
+    let large = large(case, options, linear, (&analysis, &driven), &demands);
+    if let Some(large) = &large {
+        large.demands(&mut demands);
+    }
+    let nonlinear = large.as_ref().and_then(|large| large.judged).map(|(crest, trough)| [crest.value, trough]);
+    let both = (&analysis, around.as_ref());
+    let of_wall = limits::limits(case, seen, both, nonlinear, (motion.horizontal.dt, linear.engine));
     let snapshots = base.states(linear.states, (case, seen), (&driven, options), &analysis)?;
     let result = Run {
         modes: modes(case, model),
@@ -360,7 +368,13 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
-        parts: base.isolated.iter().map(|found| found.part()).chain(soil).collect(),
+        parts: base
+            .isolated
+            .iter()
+            .map(|found| found.part())
+            .chain(soil)
+            .chain(large.map(|large| large.part))
+            .collect(),
         envelopes: envelopes(linear.extent, seen, &analysis, base.free.moved()),
         limits: rocking::limits::limits(&base.free, of_wall),
         base: base.free.result(),
@@ -385,6 +399,26 @@ fn report(
     };
     transfer::add(&mut simulation, model, options)?;
     Ok(simulation)
+}
+
+/// The nonlinear liquid of the harmonic engine beside its linear one, where it is asked for or the wave is not small. A study, which scales values, has none.
+fn large(
+    case: &Case,
+    options: &Options,
+    linear: &Linear<'_>,
+    (analysis, motion): (&Analysis<'_>, &GroundMotion),
+    demands: &Demands,
+) -> Option<large_wave::Beside> {
+    if linear.engine != EngineId::Harmonic {
+        return None;
+    }
+    let held = large_wave::Held {
+        step: analysis.grid.dt,
+        columns: analysis.scalars.iter().map(|(s, history)| (s.channel, history.values.as_slice())).collect(),
+        wave: demands.wave.map_or(0.0, |peak| peak.value),
+    };
+    let reported = linear.extent != Extent::Values;
+    large_wave::beside(case, (options.liquid, reported), motion, &held)
 }
 
 /// Remarks on what model and analysis leave out of the tank and its motion.

@@ -30,6 +30,7 @@ macro_rules! texts {
 const TEXTS: [&[&str]; 2] = texts![
     "report/src/message",
     "engines/src/linear/isolation",
+    "engines/src/linear/large_wave",
     "engines/src/linear/soil",
     "engines/src/linear/tilt",
     "engines/src/linear/transfer",

@@ -80,6 +80,7 @@ sections![
     base: Standard,
     soil part: Standard,
     nonlinear: Standard,
+    large_wave part: Standard,
     tilt part: Standard,
     modes: Full,
     transfer part: Standard,

@@ -92,9 +92,6 @@ pub struct FreeBase {
     pub held_shear: Option<Terms>,
 }
 
-/// Waves higher than this share of the radius (or half length) are not small: a linear surface is indicative only.
-pub const SMALL_WAVE: f64 = 0.2;
-
 /// Isolators under the tank.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Isolation {
@@ -125,6 +122,18 @@ pub enum Footing {
     },
 }
 
+/// What the largest rise of the surface is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Surface {
+    /// A wave of linear theory, which has a crest of its own ([`crate::large_wave`]).
+    #[default]
+    Linear,
+    /// The crest of a nonlinear liquid.
+    Nonlinear,
+    /// The crest of a nonlinear liquid until the wave breaks: a lower bound.
+    Stopped,
+}
+
 /// All demands of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Demands {
@@ -140,8 +149,8 @@ pub struct Demands {
     pub places: Vec<Place>,
     /// Largest rise of the surface at the wall [m].
     pub wave: Option<Peak>,
-    /// Whether the engine takes waves as small ([`SMALL_WAVE`]).
-    pub small_waves: bool,
+    /// What that rise is.
+    pub surface: Surface,
     /// Horizontal force on the foundation [N].
     pub base_shear: Option<Terms>,
     /// Moment of the motion below the base plate, the pressure on the bottom included [N·m].

@@ -16,6 +16,7 @@
 //! | [`outside`] | why numbers of an engine are outside its model |
 //! | [`demand`] | histories of stresses and forces that limit states compare with capacities |
 //! | [`assessment`] | result of a procedure |
+//! | [`large_wave`] | crest and trough of a wave that is not small |
 //! | [`imperfection`] | deviations of a wall from the perfect cylinder |
 //! | [`ingredients`], [`factor`] | what a quantity is made of, and the order in which that is exchanged |
 //!
@@ -32,6 +33,7 @@ pub mod hazard;
 pub mod imperfection;
 pub mod ingredients;
 pub mod keys;
+pub mod large_wave;
 mod listed;
 pub mod options;
 pub mod outside;

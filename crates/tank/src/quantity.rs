@@ -30,7 +30,15 @@ listed! {
         "Period of the first sloshing mode, in which the surface swings from side to side.";
     /// Largest rise of the liquid surface at the wall [m].
     SloshingHeight: "sloshing_height", "d_max", Dimension::Length, "Sloshing height",
-        "Largest rise of the liquid surface at the wall above its level at rest.";
+        "Largest rise of the liquid surface at the wall above its level at rest, by linear theory where the method is linear.";
+    /// Crest at the wall of a wave that is not small [m].
+    SloshingCrest: "sloshing_crest", "d_+", Dimension::Length, "Sloshing crest",
+        "Largest rise of the surface at the wall with the sharper crest of a wave that is not small: the sloshing height times \
+         1 + c d/R, or of a nonlinear liquid.";
+    /// Trough at the wall of a wave that is not small [m].
+    SloshingTrough: "sloshing_trough", "d_-", Dimension::Length, "Sloshing trough",
+        "Largest fall of the surface at the wall with the flatter trough of a wave that is not small: the sloshing height times \
+         1 − 0.7 c d/R, or of a nonlinear liquid.";
     /// Period of the first impulsive (structural) mode [s].
     ImpulsivePeriod: "impulsive_period", "T_i", Dimension::Time, "Impulsive period",
         "Period of the first mode in which wall and liquid move together. Zero or absent where a method takes the wall as \
@@ -103,7 +111,7 @@ impl Quantity {
     }
 
     /// Those of a base that is free to move: the last of [`Quantity::ALL`].
-    pub const OF_BASE: &'static [Quantity] = Quantity::ALL.split_at(14).1;
+    pub const OF_BASE: &'static [Quantity] = Quantity::ALL.split_at(16).1;
 }
 
 #[cfg(test)]
@@ -119,6 +127,8 @@ mod tests {
             [
                 "sloshing_period",
                 "sloshing_height",
+                "sloshing_crest",
+                "sloshing_trough",
                 "impulsive_period",
                 "impulsive_mass",
                 "wall_mass",
@@ -160,7 +170,7 @@ mod tests {
         for q in Quantity::ALL {
             let dimension = match q.id().rsplit('_').next().unwrap() {
                 "period" => Dimension::Time,
-                "height" | "uplift" | "slip" | "displacement" => Dimension::Length,
+                "height" | "crest" | "trough" | "uplift" | "slip" | "displacement" => Dimension::Length,
                 "rotation" => Dimension::Angle,
                 "mass" => Dimension::Mass,
                 "shear" | "force" => Dimension::Force,

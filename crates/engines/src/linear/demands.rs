@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use fem::progress::Silent;
 use oscillator::record::Record;
 use tank::case::GroundMotion;
-use tank::demand::{Angles, Demands, Footing, OnWall as Stress, Peak, Place, Terms};
+use tank::demand::{Angles, Demands, Footing, OnWall as Stress, Peak, Place, Surface, Terms};
 use tank::{Case, Shape};
 
 use super::analysis::{Analysis, Extent, analyse_on};
@@ -114,7 +114,7 @@ pub(crate) fn demands(
         angles: Angles::All,
         places: slots.iter().map(place).collect(),
         wave: None,
-        small_waves: true,
+        surface: Surface::Linear,
         base_shear: shear.map(take),
         overturning_moment: below.map(take),
         vertical: vertical.map(take),

@@ -1,7 +1,7 @@
 //! Limits of validity of the linear engine, tested on a run.
 
 use tank::Case;
-use tank::demand::SMALL_WAVE;
+use tank::large_wave::LargeWave;
 use tank::units::{Dimension, display};
 use tank::{PLANE_WALLS, Shape, Support};
 
@@ -28,18 +28,20 @@ pub(crate) const UPLIFT: &str = "uplift_tension";
 /// All limits of a run.
 ///
 /// * `around`: with two horizontal components, what both together do
+/// * `nonlinear`: crest and trough of a nonlinear liquid, where they count [m]
 /// * `record_step`: step of the record [s]
 /// * `engine`: the walls of a box are cantilevers in the harmonic engine alone
 pub(crate) fn limits(
     case: &Case,
     model: &Model,
     (analysis, around): (&Analysis, Option<&Around>),
+    nonlinear: Option<[f64; 2]>,
     (record_step, engine): (f64, EngineId),
 ) -> Vec<Limit> {
     let mut found = Vec::new();
     let resultant = around.and_then(|a| a.wave).map(|peak| peak.value);
     if let Some(wave) = resultant.or(analysis.wave()) {
-        found.extend(waves(case, wave));
+        found.extend(waves(case, wave, nonlinear));
     }
     found.extend(suction(case, model, analysis, around));
     found.extend(uplift(case, model, analysis, around));
@@ -54,27 +56,32 @@ pub(crate) fn limits(
     found
 }
 
-/// Wave height against small waves and the freeboard.
-pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
-    let radius = match case.tank.shape {
-        Shape::Cylinder { .. } => "radius",
-        Shape::Rectangle { .. } => "half length",
-    };
-    let limit = |id: &str, name: String, limit: f64, consequence: &str| {
-        limit_of(id, name, [wave, limit], Dimension::Length, wave <= limit, || consequence.into())
-    };
+/// Wave height against that of small waves, and its crest against the freeboard.
+///
+/// * `nonlinear`: crest and trough of a nonlinear liquid, where they count [m]
+pub(crate) fn waves(case: &Case, wave: f64, nonlinear: Option<[f64; 2]>) -> [Limit; 2] {
+    let large = LargeWave::of(case);
+    let [crest, trough] = nonlinear.unwrap_or([large.crest(wave), large.trough(wave)]);
+    let least = if nonlinear.is_none() && large.excess(wave) > large.fitted() { "at least " } else { "" };
     [
-        limit(
+        limit_of(
             "wave_against_radius",
-            format!("Wave height against {SMALL_WAVE} of the {radius}"),
-            SMALL_WAVE * case.tank.shape.half_length(),
-            "The waves are not small: the wave height is indicative only.",
+            "Wave height against that of small waves, whose crest is a tenth higher",
+            [wave, large.small()],
+            Dimension::Length,
+            wave <= large.small(),
+            || {
+                let [high, low] = [crest, trough].map(|value| display(value, Dimension::Length));
+                format!("The waves are not small: the crest is {least}{high}, the trough {low}.")
+            },
         ),
-        limit(
+        limit_of(
             "wave_against_freeboard",
-            "Wave height against the freeboard".into(),
-            case.freeboard(),
-            "The liquid overtops the wall or strikes the roof; neither is modelled.",
+            "Crest of the wave against the freeboard",
+            [crest, case.freeboard()],
+            Dimension::Length,
+            crest <= case.freeboard(),
+            || "The liquid overtops the wall or strikes the roof; neither is modelled.".into(),
         ),
     ]
 }

@@ -20,6 +20,7 @@ use crate::{FeError, Simulation};
 use results::EngineId;
 use tank::demand::Footing;
 use tank::options::LinearOptions as Options;
+use tank::options::linear::LiquidModel;
 
 /// The harmonic model of a tank with its modes.
 #[derive(Clone, Debug)]
@@ -39,13 +40,19 @@ const MESH_FOR: Site = Site {
     zone: Some(ZoneSite { zone_factor: 0.4, soil_factor: 1.0, importance: 1.0 }),
 };
 
+/// Why a study has no nonlinear liquid.
+const NO_NONLINEAR: &str = "`analysis.liquid`: a study scales the linear response to a record, and a nonlinear liquid does not scale; remove it, or use compare";
+
 impl Prepared {
     /// Builds the model of a case; its ground motion and its site are not used.
     ///
     /// * `vertical`: whether the records have a vertical component
     ///
-    /// Errors: an option out of range; a model that cannot be built or factored.
+    /// Errors: an option out of range, a nonlinear liquid; a model that cannot be built or factored.
     pub fn new(case: &Case, options: &Options, vertical: bool) -> Result<Prepared, FeError> {
+        if options.liquid == LiquidModel::Nonlinear {
+            return Err(FeError::Unsupported(NO_NONLINEAR.into()));
+        }
         let meshed = Case { ground_motion: None, site: MESH_FOR, ..case.clone() };
         let options =
             Options { mesh_error: false, snapshots: Vec::new(), tilt: None, frequency: None, ..options.clone() };
@@ -106,6 +113,7 @@ impl Response {
         let linear = result.engine != EngineId::Nonlinear
             && result.base.is_none()
             && result.part("isolation").is_none()
+            && result.part("large_wave").is_none()
             && !result.incomplete;
         Response { linear, values: simulation.values, demands: simulation.demands }
     }
@@ -176,6 +184,14 @@ mod tests {
             panic!("{:?}", overturns.demands.unwrap().footing)
         };
         assert!(!overturns.scales(0.5));
+    }
+
+    /// A nonlinear liquid is refused, not left out.
+    #[test]
+    fn a_nonlinear_liquid_does_not_scale() {
+        let options = Options { liquid: LiquidModel::Nonlinear, mesh_error: false, ..Options::default() };
+        let error = Prepared::new(&test_tanks::broad(), &options, false).unwrap_err();
+        assert!(error.to_string().contains("analysis.liquid"), "{error}");
     }
 
     /// Against the same model under the scaled record, to the order of the sums; and against a run of the engine, whose mesh follows the

@@ -10,7 +10,7 @@ use super::analysis::Extent;
 use super::mesh_error::{self, Second, SecondMesh};
 use super::model::Model;
 use super::rocking::Known;
-use super::{Linear, analyse_on, complete, finished, units};
+use super::{Linear, analyse_on, complete, finished, large_wave, units};
 use crate::checks::checked_motion;
 use crate::harmonic::{Places, content};
 use crate::modes::Kind;
@@ -82,7 +82,9 @@ impl Shared {
         // What does not depend on the record stands in the thorough run.
         let case = Case { site: Site::default(), ..case };
         let options = Options { frequency: None, ..self.options.clone() };
-        complete(&case, &options, &linear, progress)
+        let mut simulation = complete(&case, &options, &linear, progress)?;
+        large_wave::put(options.liquid, &mut simulation);
+        Ok(simulation)
     }
 
     /// Writes the errors estimated on a second mesh into the run under a record, and all else that a run by itself has.

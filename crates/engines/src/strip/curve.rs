@@ -40,7 +40,7 @@ impl Strip {
 
     /// Limits of validity of a run with waves of the height `wave` [m].
     pub(super) fn limits(&self, wave: f64, suction: Option<Limit>) -> Vec<Limit> {
-        let mut found = limits::waves(&self.case, wave).to_vec();
+        let mut found = limits::waves(&self.case, wave, None).to_vec();
         found.extend(suction);
         let omega = self.model.wall_frequency();
         found.push(limits::compressibility(&self.case, omega / std::f64::consts::TAU));

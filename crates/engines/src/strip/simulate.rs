@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fem::progress::Progress;
 use tank::Shape;
 use tank::case::GroundMotion;
-use tank::demand::{Demands, Peak};
+use tank::demand::{Demands, Peak, Surface};
 use tank::{Case, Quantity};
 
 use super::case::Strip;
@@ -293,7 +293,7 @@ fn demands(lines: &[Line]) -> Demands {
         base_shear: shear.map(|_| vec![(0, 1.0)]),
         overturning_moment: below.map(|_| vec![(1, 1.0)]),
         wave: rises.reduce(|a, b| if b.value > a.value { b } else { a }),
-        small_waves: true,
+        surface: Surface::Linear,
         ..Demands::default()
     }
 }

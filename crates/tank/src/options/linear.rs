@@ -16,6 +16,16 @@ words! {
     }
 }
 
+words! {
+    /// Liquid of the linear engines.
+    pub LiquidModel {
+        /// Small waves; where they are not small, a nonlinear run stands beside the linear one.
+        Linear = "linear",
+        /// Potential flow of third order: its wave, forces and moments are those of the run.
+        Nonlinear = "nonlinear",
+    }
+}
+
 /// Damping of the linear engine.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -241,6 +251,9 @@ pub struct LinearOptions {
     pub dashpots: Vec<Dashpots>,
     /// Sloshing modes that count for the wave height (5).
     pub wave_modes: usize,
+    /// Liquid.
+    #[serde(default = "linear", skip_serializing_if = "is_linear")]
+    pub liquid: LiquidModel,
     /// Estimate the discretisation error by a second, coarser mesh.
     pub mesh_error: bool,
     /// Extra wave gauges: radii (or x) in the direction of shaking [m]; the wall is always gauged.
@@ -266,6 +279,14 @@ pub struct LinearOptions {
     pub frequency: Option<FrequencyOptions>,
 }
 
+fn linear() -> LiquidModel {
+    LiquidModel::Linear
+}
+
+fn is_linear(liquid: &LiquidModel) -> bool {
+    *liquid == LiquidModel::Linear
+}
+
 impl LinearOptions {
     /// The defaults.
     pub const DEFAULT: LinearOptions = LinearOptions {
@@ -274,6 +295,7 @@ impl LinearOptions {
         damping: DampingModel::Modal,
         dashpots: Vec::new(),
         wave_modes: 5,
+        liquid: LiquidModel::Linear,
         mesh_error: true,
         gauges: Vec::new(),
         stations: Vec::new(),

@@ -2,7 +2,9 @@
 
 use files::code::Code;
 use tank::options::frequency::FrequencyOptions;
-use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Heave, Integrator, WallDirection, WallPlace};
+use tank::options::linear::{
+    CaugheyPairs, DampingModel, Dashpots, Heave, Integrator, LiquidModel, WallDirection, WallPlace,
+};
 use tank::options::{LinearOptions, NonlinearOptions};
 use tank::{Shape, Support, Tank, case};
 
@@ -47,6 +49,8 @@ object! {
         refine (2): Opt<Number> [Limits::from(0.25).to(16.0)] = default(Number(DEFAULT.refine)),
         /// Number of sloshing modes that count for the wave height.
         wave_modes (5): Opt<Whole> [Limits::count(1, 50)] = default(Whole(DEFAULT.wave_modes as u32)),
+        /// Liquid of the harmonic engine; beside a linear one whose wave is not small a nonlinear one is computed.
+        liquid: Opt<LiquidModel> = default(DEFAULT.liquid),
         /// Whether the discretisation error is estimated on a second mesh.
         mesh_error (false): Opt<bool> = default(DEFAULT.mesh_error),
         /// Wave gauges besides the one at the wall: distances from the centre in the direction of shaking.
@@ -105,7 +109,7 @@ object! {
     }
 }
 
-choice!(WallDirection, Integrator);
+choice!(WallDirection, Integrator, LiquidModel);
 
 /// Options of the linear engines. Defaults are those of the engine and not echoed one by one.
 ///
@@ -130,6 +134,7 @@ pub(super) fn analysis(
         integrator: r.or_default(&given.integrator),
         refine: r.or_default(&given.refine),
         wave_modes: r.or_default(&given.wave_modes) as usize,
+        liquid: r.or_default(&given.liquid),
         mesh_error: r.or_default(&given.mesh_error),
         gauges: places(r, &given.gauges, half, what),
         stations: places(r, &given.stations, height, "the height of the wall"),

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use oscillator::record::Record;
 use tank::Case;
-use tank::demand::{Angles, Demands, Footing, FreeBase, OnWall, Peak, Place, Terms};
+use tank::demand::{Angles, Demands, Footing, FreeBase, OnWall, Peak, Place, Surface, Terms};
 
 use super::meridian::Meridian;
 use super::model::CylinderModel;
@@ -97,7 +97,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         angles: Angles::Sides,
         places: found,
         wave: (samples > 0).then_some(if two { watch.seen.two.wave() } else { higher }),
-        small_waves: true,
+        surface: Surface::Linear,
         base_shear: (!slid(case, tank, watch)).then_some(base_shear),
         // The pressure on the bottom is not recorded.
         overturning_moment: None,

@@ -27,7 +27,7 @@ pub(super) fn limits(cylinder: &Cylinder<'_>, watch: &Watch<'_>, worst: &Look) -
         (recorder.ranges[k].max - rest).max(0.0)
     };
     let sides = rise(WAVE_FRONT).max(rise(WAVE_BACK));
-    let mut found = limits::waves(case, sides.max(watch.seen.two.wave().value)).to_vec();
+    let mut found = limits::waves(case, sides.max(watch.seen.two.wave().value), None).to_vec();
     found.push(displacement(tank.radius, watch.seen.displacement));
     found.extend(suction(watch));
     let cracks = worst.crack_width.iter().flatten().copied();

@@ -51,21 +51,21 @@ impl Burst {
         Ok([sides[0][0].1.max(sides[1][0].1), -sides[0][1].1.min(sides[1][1].1)])
     }
 
-    /// The factor c of crest = η (1 + c η/R) where the crest is a tenth higher than the linear wave η.
+    /// The factor c of crest = η (1 + c η/R) where the crest is higher than the linear wave η by the share `higher`.
     ///
     /// R is the radius, or half the length.
     ///
     /// Errors: where a march stopped.
-    pub fn factor(self, basis: &Basis, own: Properties) -> Result<f64, Stop> {
+    pub fn factor(self, basis: &Basis, own: Properties, higher: f64) -> Result<f64, Stop> {
         let half = match basis.shape() {
             Shape::Cylinder { radius } => radius,
             Shape::Strip { length, .. } => 0.5 * length,
         };
-        let mut share = 0.05;
+        let mut share = 0.02;
         for _ in 0..6 {
             let excess = self.ratios(basis, own, share * half)?[0] - 1.0;
-            share *= (0.1 / excess).clamp(0.2, 5.0);
+            share *= (higher / excess).clamp(0.2, 5.0);
         }
-        Ok(0.1 / share)
+        Ok(higher / share)
     }
 }

@@ -19,7 +19,7 @@ impl Motion {
         Motion { acceleration: [acceleration, 0.0], ..Motion::default() }
     }
 
-    fn combine(terms: [(f64, Motion); 3]) -> Motion {
+    pub(super) fn combine(terms: [(f64, Motion); 3]) -> Motion {
         let mut sum = Motion::default();
         for (factor, motion) in terms {
             sum.vertical += factor * motion.vertical;

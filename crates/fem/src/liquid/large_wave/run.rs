@@ -149,12 +149,14 @@ pub(super) fn march(
     let mut first = [vec![0.0; n], vec![0.0; n]];
     let mut sum = [vec![0.0; n], vec![0.0; n]];
     let mut differences = Differences::new(n);
+    let mut before = [vec![0.0; n], vec![0.0; n]];
+    let mut last = [Motion::default(); 3];
     let (mut input, mut damped) = (0.0, 0.0);
     for i in 0..=steps {
         let time = i as f64 * step;
         let motions = drive.over(time, step);
         sum.iter_mut().for_each(|s| s.fill(0.0));
-        let (mut input_rate, mut damped_rate) = (0.0, 0.0);
+        let mut damped_rate = 0.0;
         for (stage, (part, weight, at)) in STAGES.into_iter().enumerate() {
             for j in 0..n {
                 trial[0][j] = eta[j] + part * step * rates[0][j];
@@ -175,6 +177,9 @@ pub(super) fn march(
                     run.breaks = Some(time);
                 }
                 run.volume_error = run.volume_error.max(eta[0].abs());
+                if i > 0 {
+                    input += step * given(liquid, [&before[0], &before[1]], [&eta, &rates[0]], (&last, step));
+                }
                 run.energies.push(Energy { input, damped, ..stored(liquid, &eta, &psi, &rates[0]) });
                 let now = carried(drive.now(time));
                 differences.push(liquid, (&eta, &psi), &first, (&motions[0], &now), &mut work, &mut run.values);
@@ -183,20 +188,20 @@ pub(super) fn march(
                     return run;
                 }
             }
-            let powers = powers(liquid, &trial, &rates, &motions[at]);
-            input_rate += weight * powers.0;
-            damped_rate += weight * powers.1;
+            damped_rate += weight * lost(liquid, &trial, &rates);
             for f in 0..2 {
                 for j in 0..n {
                     sum[f][j] += weight * rates[f][j];
                 }
             }
         }
+        before[0].copy_from_slice(&eta);
+        before[1].copy_from_slice(&first[0]);
+        last = motions;
         for j in 0..n {
             eta[j] += step * sum[0][j];
             psi[j] += step * sum[1][j];
         }
-        input += step * input_rate;
         damped += step * damped_rate;
     }
     run
@@ -232,16 +237,34 @@ fn stored(liquid: &Liquid, eta: &[f64], psi: &[f64], rise: &[f64]) -> Energy {
     }
 }
 
-/// Powers of the motion and of damping [W].
-fn powers(liquid: &Liquid, state: &[Vec<f64>; 2], rates: &[Vec<f64>; 2], motion: &Motion) -> (f64, f64) {
-    let own = liquid.own;
-    let (mut input, mut damped) = (0.0, 0.0);
-    for j in 0..state[0].len() {
-        let norm = liquid.basis.norm[j];
-        input -= norm * (motion.vertical * state[0][j] + liquid.push(j, motion)) * rates[0][j];
-        damped += norm * 2.0 * own.damping * liquid.omega[j] * state[1][j] * rates[0][j];
+/// Mean power of the motion over a step [W], by Gauss's rule of three points on the cubic of η and the parabola of the motion.
+///
+/// The stages of a step do not follow a motion that is faster than the step, as its end does.
+fn given(
+    liquid: &Liquid,
+    before: [&[f64]; 2],
+    after: [&[f64]; 2],
+    ([start, middle, end], step): (&[Motion; 3], f64),
+) -> f64 {
+    let mut power = 0.0;
+    for (s, weight) in [(-0.6_f64.sqrt(), 5.0 / 18.0), (0.0, 4.0 / 9.0), (0.6_f64.sqrt(), 5.0 / 18.0)] {
+        let motion =
+            Motion::combine([(0.5 * s * (s - 1.0), *start), (1.0 - s * s, *middle), (0.5 * s * (s + 1.0), *end)]);
+        let part = 0.5 * (1.0 + s);
+        for j in 0..before[0].len() {
+            let curve = [before[0][j], step * before[1][j], after[0][j], step * after[1][j]];
+            let push = motion.vertical * hermite(curve, part) + liquid.push(j, &motion);
+            power -= weight * liquid.basis.norm[j] * push * hermite_slope(curve, part) / step;
+        }
     }
-    (own.density * input, own.density * damped)
+    liquid.own.density * power
+}
+
+/// Power of damping [W].
+fn lost(liquid: &Liquid, state: &[Vec<f64>; 2], rates: &[Vec<f64>; 2]) -> f64 {
+    let own = liquid.own;
+    let of = |j: usize| liquid.basis.norm[j] * 2.0 * own.damping * liquid.omega[j] * state[1][j] * rates[0][j];
+    own.density * (0..state[0].len()).map(of).sum::<f64>()
 }
 
 /// Time derivatives of what is known as a function of η and ψ, by central differences along their rates.
@@ -415,6 +438,12 @@ impl Liquid {
 fn hermite([p, v, q, w]: [f64; 4], s: f64) -> f64 {
     let (s2, s3) = (s * s, s * s * s);
     (2.0 * s3 - 3.0 * s2 + 1.0) * p + (s3 - 2.0 * s2 + s) * v + (3.0 * s2 - 2.0 * s3) * q + (s3 - s2) * w
+}
+
+/// Its derivative by s.
+fn hermite_slope([p, v, q, w]: [f64; 4], s: f64) -> f64 {
+    let s2 = s * s;
+    6.0 * (s2 - s) * p + (3.0 * s2 - 4.0 * s + 1.0) * v + 6.0 * (s - s2) * q + (3.0 * s2 - 2.0 * s) * w
 }
 
 pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
