@@ -10,6 +10,7 @@ mod measured;
 mod motion;
 pub mod procedures;
 mod quantities;
+mod roof_wave;
 mod runs;
 mod series;
 mod site;
@@ -114,6 +115,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
     }
     let comparison = columns.compare(job, context);
     let Columns { methods, runs, series, .. } = columns;
+    let roof = roof_wave::part(job, &methods);
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
     let verdict = Verdict {
@@ -134,7 +136,7 @@ fn assemble(job: &Job, computed: Computed, design: Option<Design>) -> Result<Out
         records,
         record_set: design.map(|design| design.set),
         spectra,
-        parts: Vec::new(),
+        parts: roof.into_iter().collect(),
         methods,
         runs,
         comparison,

@@ -37,6 +37,7 @@ pub mod ordinates;
 pub mod procedure;
 pub mod record_set;
 mod roof;
+pub mod roof_wave;
 #[cfg(test)]
 mod samples;
 pub mod sheet;

@@ -441,4 +441,7 @@ pub(crate) fn late_warnings(job: &Job, results: &Results) {
     for text in report::words::verdict::dated_ahead(results) {
         stream::warn("", &Warning::new(Code::Inconsistent, text));
     }
+    for line in report::words::terminal::roof(results) {
+        say!("note: {line}");
+    }
 }

@@ -40,6 +40,7 @@ mod ranges;
 mod record_set;
 mod records;
 mod reproducible;
+mod roof_wave;
 mod scene;
 mod select;
 mod sets;

@@ -59,7 +59,8 @@ pub(super) fn assess(work: &mut Work<'_>) {
         (true, false) => (CheckStatus::NotApplicable, "the tank has no roof".to_owned()),
         (true, true) => {
             let above = with_unit(rise - freeboard, Length);
-            let reason = format!("the wave rises {above} above the wall; the impact on the roof is not implemented");
+            let reason =
+                format!("the wave rises {above} above the wall and presses on the roof, whose resistance is not known");
             (CheckStatus::NotChecked, reason)
         }
     };

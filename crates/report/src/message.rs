@@ -34,6 +34,7 @@ const TEXTS: [&[&str]; 2] = texts![
     "engines/src/linear/soil",
     "engines/src/linear/tilt",
     "engines/src/linear/transfer",
+    "results/src/roof_wave",
     "results/src/standing",
 ];
 

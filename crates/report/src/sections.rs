@@ -81,6 +81,7 @@ sections![
     soil part: Standard,
     nonlinear: Standard,
     large_wave part: Standard,
+    roof_wave part: Standard,
     tilt part: Standard,
     modes: Full,
     transfer part: Standard,

@@ -24,6 +24,7 @@ pub mod part;
 mod previous;
 mod push;
 mod record_set;
+pub mod roof_wave;
 mod run;
 pub mod scene;
 mod snapshots;

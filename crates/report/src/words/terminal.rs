@@ -6,9 +6,11 @@ use tank::assessment::{Check, Excitation};
 use tank::outside::Outside;
 use tank::units::{self, Dimension, display};
 
+use crate::message;
 use crate::number::significant;
 use results::compare::{Apart, Why};
-use results::{Directional, EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status};
+use results::part::Block;
+use results::{Directional, EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Results, Status};
 
 /// Mark of a number that is not to be used.
 pub const UNUSABLE: &str = "‡";
@@ -27,6 +29,16 @@ pub fn corner(excitation: Excitation, engine: bool, own: bool) -> &'static str {
         (Excitation::Record, false) => "record spectrum, seismic part",
         (Excitation::Site, false) => "design spectrum of the site, seismic part",
     }
+}
+
+/// What the wave does to the roof, or the roof to the waves.
+pub fn roof(results: &Results) -> Vec<String> {
+    let blocks = results.parts.iter().filter(|part| part.id == "roof_wave").flat_map(|part| &part.blocks);
+    let texts = blocks.filter_map(|block| match block {
+        Block::Text(message) => Some(message::text(message)),
+        _ => None,
+    });
+    texts.collect()
 }
 
 /// Legend of [`UNUSABLE`].
