@@ -73,6 +73,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            subsoil: tank::Subsoil::default(),
             insulation: None,
             anchors: None,
             pressure: Default::default(),

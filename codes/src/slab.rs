@@ -33,11 +33,13 @@ pub(crate) struct Slab {
     pub period: f64,
 }
 
-/// Whether a case has a slab on soil of known velocity of shear waves.
+/// Whether a case has a slab on the surface of a uniform soil of known velocity of shear waves; its material damping is left out.
 pub(crate) fn is_on_soil(case: &Case) -> bool {
     let foundation = case.tank.foundation;
     matches!(case.tank.shape, Shape::Cylinder { .. })
         && foundation.is_some_and(|f| f.kind == FoundationKind::Slab && f.shear_wave_velocity.is_some())
+        && case.tank.subsoil.layers.is_empty()
+        && case.tank.subsoil.embedment == 0.0
 }
 
 /// Whether it is held to its slab.

@@ -110,6 +110,7 @@ impl Draw {
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            subsoil: tank::Subsoil::default(),
             insulation: None,
             anchors: self.yes().then(|| Anchors {
                 count: 40,

@@ -24,6 +24,7 @@ const NAMES = {
   annular_weld: ['Annular weld', 'Naht des Ringblechs'], shell_weld: ['Shell-to-bottom weld', 'Naht Mantel–Boden'],
   connections: ['Connections', 'Anschlüsse'], projection: ['Projection', 'Überstand'], subgrade_modulus: ['Subgrade modulus', 'Bettungsmodul'],
   stiffness: ['Stiffness', 'Steifigkeit'], shear_wave_velocity: ['Shear wave velocity', 'Scherwellengeschwindigkeit'],
+  soil_damping: ['Soil damping', 'Dämpfung des Bodens'], embedment: ['Embedment', 'Einbindetiefe'], soil_layers: ['Soil layers', 'Bodenschichten'],
   soil_density: ['Soil density', 'Dichte des Bodens'], soil_poisson_ratio: ["Poisson's ratio of soil", 'Querdehnzahl des Bodens'],
   shell_support: ['Shell support', 'Auflager des Mantels'], friction: ['Friction', 'Reibung'], density: ['Density', 'Dichte'],
   fill_height: ['Fill height', 'Füllhöhe'], grade: ['Grade', 'Sorte'], family: ['Family', 'Gruppe'],

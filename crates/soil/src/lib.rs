@@ -22,6 +22,7 @@ pub mod disc;
 mod error;
 pub mod isolated;
 pub mod isolator;
+pub mod layered;
 pub mod structure;
 #[cfg(test)]
 mod tests;

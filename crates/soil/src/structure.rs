@@ -95,24 +95,10 @@ impl OnSoil {
     ///
     /// Errors: no convergence (a layer whose cut-off frequency lies at ω̃).
     pub fn effective(&self, kind: Impedance) -> Result<Effective, SoilError> {
-        const STEPS: usize = 500;
-        let mut omega = TAU / self.static_period();
-        let mut change = f64::INFINITY;
-        for _ in 0..STEPS {
-            // Half of the way: the rocking stiffness falls with ω, which turns the full step into a slow oscillation.
-            let wanted = (self.complex_stiffness(omega, kind).re / self.structure.mass).sqrt();
-            change = (wanted / omega - 1.0).abs();
-            omega = 0.5 * (omega + wanted);
-            if change < 1e-14 {
-                break;
-            }
-        }
-        if change.is_nan() || change > 1e-10 {
-            let what = "effective period on soil";
-            return Err(SoilError::Iteration { what, steps: STEPS, change });
-        }
-        let s = self.complex_stiffness(omega, kind);
-        Ok(Effective { period: TAU / omega, damping: s.im / (2.0 * s.re) })
+        let square = self.structure.height.powi(2);
+        effective(&self.structure, TAU / self.static_period(), |omega| {
+            self.disc.horizontal(omega, kind).inv() + square * self.disc.rocking(omega, kind).inv()
+        })
     }
 
     /// Damping ratio without the structure's own share, ξ̃ − ξ (T/T̃)³.
@@ -160,4 +146,37 @@ impl OnSoil {
         let square = 0.5 * (1.0 - (1.0 - inverse).sqrt());
         Some(Effective { period: TAU / (x * fixed) * (1.0 - 2.0 * square).sqrt(), damping: square.sqrt() })
     }
+}
+
+/// T̃ and ξ̃ of the complex stiffness of a structure on ground of this flexibility under its mass [m/N].
+///
+/// * `omega`: where the search begins [rad/s]
+///
+/// Errors: no convergence.
+pub(crate) fn effective(
+    structure: &Structure,
+    mut omega: f64,
+    ground: impl Fn(f64) -> C64,
+) -> Result<Effective, SoilError> {
+    const STEPS: usize = 500;
+    let stiffness = |omega: f64| {
+        let wall = C64::new(structure.stiffness(), omega * structure.dashpot());
+        (wall.inv() + ground(omega)).inv()
+    };
+    let mut change = f64::INFINITY;
+    for _ in 0..STEPS {
+        // Half of the way: the rocking stiffness falls with ω, which turns the full step into a slow oscillation.
+        let wanted = (stiffness(omega).re / structure.mass).sqrt();
+        change = (wanted / omega - 1.0).abs();
+        omega = 0.5 * (omega + wanted);
+        if change < 1e-14 {
+            break;
+        }
+    }
+    if change.is_nan() || change > 1e-10 {
+        let what = "effective period on soil";
+        return Err(SoilError::Iteration { what, steps: STEPS, change });
+    }
+    let s = stiffness(omega);
+    Ok(Effective { period: TAU / omega, damping: s.im / (2.0 * s.re) })
 }

@@ -56,6 +56,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            subsoil: crate::Subsoil::default(),
             insulation: None,
             anchors: None,
             pressure: Default::default(),

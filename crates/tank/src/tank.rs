@@ -15,7 +15,7 @@ pub use behaviour::{
 };
 pub use details::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
 pub use family::Family;
-pub use foundation::{Foundation, FoundationKind};
+pub use foundation::{Foundation, FoundationKind, SoilLayer, Subsoil};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
@@ -229,6 +229,9 @@ pub struct Tank {
     /// Foundation, where given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub foundation: Option<Foundation>,
+    /// Layers, embedment and damping of the soil under a slab.
+    #[serde(default, skip_serializing_if = "Subsoil::is_plain")]
+    pub subsoil: Subsoil,
     /// Isolators under the slab, where given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub isolators: Option<Isolators>,

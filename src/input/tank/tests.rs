@@ -13,6 +13,7 @@ mod roof;
 mod schema;
 mod snapshots;
 mod spectrum;
+mod subsoil;
 mod temperature;
 
 use proptest::prelude::*;

@@ -225,6 +225,7 @@ fn tank(kind: Kind) -> Tank {
         isolators: None,
         rings: Vec::new(),
         attachments: Vec::new(),
+        subsoil: tank::Subsoil::default(),
         insulation: None,
         anchors: None,
         pressure: Default::default(),

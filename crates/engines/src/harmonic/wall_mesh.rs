@@ -100,6 +100,7 @@ mod tests {
             isolators: None,
             rings: Vec::new(),
             attachments: Vec::new(),
+            subsoil: tank::Subsoil::default(),
             insulation: None,
             anchors: None,
             pressure: Default::default(),

@@ -17,6 +17,7 @@
 
 mod extend;
 mod floor;
+mod ground;
 mod outcome;
 mod residual;
 #[cfg(test)]
@@ -26,14 +27,18 @@ mod words;
 
 use std::f64::consts::PI;
 
+use ::soil::SoilError;
 use ::soil::disc::{Disc, Soil};
-use tank::{Case, FoundationKind, Shape, Support};
+use ::soil::layered::{Embedded, Layer};
+use tank::{Case, FoundationKind, Shape, Subsoil, Support};
 
 use super::system::Harmonic;
 use crate::FeError;
 use crate::damping::Damper;
 
 pub(crate) use floor::Floor;
+use ground::Ground;
+use outcome::impulsive;
 pub(super) use outcome::outcome;
 pub use twin::slab_body;
 pub(crate) use words::note;
@@ -43,18 +48,21 @@ const CONCRETE: f64 = 2500.0;
 
 /// The system of m = 1 on its slab, and that on a fixed base, where there is soil under the slab.
 ///
-/// Errors: as [`Slab::of`] and [`extend::on_soil`].
+/// Errors: as [`Slab::of`], [`Ground::of`] and [`extend::on_soil`].
 pub(crate) fn under(case: &Case, damper: &Damper, held: Harmonic) -> Result<(Harmonic, Option<Harmonic>), FeError> {
     let Some(slab) = Slab::of(case)? else { return Ok((held, None)) };
-    let (coupled, modes) = extend::on_soil((&held.coupled, &held.modes), case, damper, &slab)?;
+    let ground = Ground::of(&slab, impulsive(case, &held, damper, &slab))?;
+    let (coupled, modes) = extend::on_soil((&held.coupled, &held.modes), case, damper, (&slab, &ground))?;
     Ok((Harmonic { coupled, modes }, Some(held)))
 }
 
 /// A slab on soil.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slab {
-    /// Disc on soil.
+    /// Disc on the half-space.
     pub disc: Disc,
+    /// Layers, embedment and damping, where there are any.
+    pub embedded: Option<Embedded>,
     /// Thickness [m]; 0 where it is not given.
     pub thickness: f64,
 }
@@ -83,9 +91,10 @@ impl Slab {
             damping: 0.0,
             depth: None,
         };
-        let disc =
-            Disc::new(radius + projection, soil).map_err(|e| FeError::Analysis(format!("tank.foundation: {e}")))?;
-        Ok(Some(Slab { disc, thickness: foundation.thickness.unwrap_or(0.0) }))
+        let failed = |e| FeError::Analysis(format!("tank.foundation: {e}"));
+        let disc = Disc::new(radius + projection, soil).map_err(failed)?;
+        let embedded = embedded(&disc, &case.tank.subsoil).transpose().map_err(failed)?;
+        Ok(Some(Slab { disc, embedded, thickness: foundation.thickness.unwrap_or(0.0) }))
     }
 
     /// Mass [kg].
@@ -97,4 +106,23 @@ impl Slab {
     pub(super) fn inertia(&self) -> f64 {
         self.mass() * (self.disc.radius.powi(2) / 4.0 + self.thickness.powi(2) / 3.0)
     }
+}
+
+/// The layers, embedment and damping below a slab; `None` on the surface of a uniform half-space without damping.
+fn embedded(disc: &Disc, subsoil: &Subsoil) -> Option<Result<Embedded, SoilError>> {
+    if subsoil.is_plain() {
+        return None;
+    }
+    let layer = |layer: &tank::SoilLayer| Layer {
+        thickness: layer.thickness,
+        soil: Soil {
+            density: layer.density,
+            shear_wave_velocity: layer.shear_wave_velocity,
+            poisson_ratio: layer.poisson_ratio,
+            damping: layer.damping,
+            depth: None,
+        },
+    };
+    let below = Soil { damping: subsoil.damping, ..disc.soil };
+    Some(Embedded::new(disc.radius, subsoil.embedment, subsoil.layers.iter().map(layer).collect(), below))
 }

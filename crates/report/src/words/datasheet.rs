@@ -79,6 +79,8 @@ const LABELS: &[(&str, &str)] = &[
     ("foundation.shear_wave_velocity", "Soil: velocity of shear waves"),
     ("foundation.soil_density", "Soil: density"),
     ("foundation.soil_poisson_ratio", "Soil: Poisson’s ratio"),
+    ("foundation.soil_damping", "Soil: material damping"),
+    ("foundation.embedment", "Foundation: underside below the ground"),
     ("foundation.thickness", "Foundation: thickness, of a ring wall its height"),
     ("foundation.width", "Ring wall: width"),
     ("foundation.shell_support", "Support of the shell"),

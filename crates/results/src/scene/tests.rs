@@ -53,6 +53,7 @@ fn tank() -> TankSummary {
         isolators: None,
         rings: Vec::new(),
         attachments: Vec::new(),
+        subsoil: tank::Subsoil::default(),
         insulation: None,
         anchors: None,
         pressure: tank::Pressure::default(),

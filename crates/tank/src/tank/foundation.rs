@@ -40,3 +40,36 @@ pub struct Foundation {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
 }
+
+/// What the soil under a slab is besides the uniform half-space of [`Foundation`].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Subsoil {
+    /// Hysteretic damping ratio ξ_g of the half-space.
+    pub damping: f64,
+    /// Depth of the underside of the slab below the ground [m].
+    pub embedment: f64,
+    /// Layers from the ground down, over the half-space.
+    pub layers: Vec<SoilLayer>,
+}
+
+/// A layer of soil.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SoilLayer {
+    /// Thickness [m].
+    pub thickness: f64,
+    /// V_s [m/s].
+    pub shear_wave_velocity: f64,
+    /// ρ_s [kg/m³].
+    pub density: f64,
+    /// ν_s.
+    pub poisson_ratio: f64,
+    /// ξ_g.
+    pub damping: f64,
+}
+
+impl Subsoil {
+    /// Whether the slab lies on the surface of a uniform half-space without damping.
+    pub fn is_plain(&self) -> bool {
+        *self == Subsoil::default()
+    }
+}

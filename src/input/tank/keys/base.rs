@@ -58,16 +58,22 @@ object! {
             = Absent::Follows("of soil from shear_wave_velocity after Vesic, else 100 MN/m³; of a ring wall or slab 10 000 MN/m³"),
         /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
         /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks. An anchored
-        /// cylinder on a slab moves with it on this soil, a uniform half-space, in the linear engines; EN 1998-4 A.7 and ASCE 7 chapter 19
-        /// stand beside it for information.
-        shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
+        /// cylinder on a slab moves with it on this soil, a half-space under the soil_layers, in the linear engines; of a uniform soil EN 1998-4
+        /// A.7 and ASCE 7 chapter 19 stand beside it for information.
+        shear_wave_velocity ("250 m/s"): Opt<Velocity> [WAVES]
             = without("the soil under the rim radiates no energy, a slab does not move"),
         /// Density of the soil.
-        soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0).usual(1400.0, 2500.0)]
+        soil_density ("1900 kg/m3"): Opt<Density> [EARTH]
             = default(Density(1900.0)).because("moist sand or gravel"),
         /// Poisson's ratio of the soil.
         soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
             = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
+        /// Material damping ratio of the soil at the strains of the earthquake, under an anchored cylinder on a slab that moves with it.
+        soil_damping (0.05): Opt<Number> [Limits::from(0.0).to(0.3)] = without("the soil radiates energy and dissipates none"),
+        /// Depth of the underside of a slab below the ground, its edge in contact with the soil all around.
+        embedment ("1.5 m"): Opt<Length> [Limits::from(0.0).to(50.0)] = without("the slab lies on the ground"),
+        /// Layers of soil from the ground down, over the half-space that shear_wave_velocity describes; for rock below them give that of the rock.
+        soil_layers: Opt<Vec<Field<SoilLayer>>> [Limits::ANY.items(0, 20)] = Absent::Without("one soil"),
         /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate; without it the
         /// slab has no mass. Of a ring wall its height, for its weight on the ground.
         thickness ("0.6 m"): Opt<Length> [THICKNESS],
@@ -82,7 +88,28 @@ object! {
     }
 }
 
+object! {
+    /// A layer of soil.
+    SoilLayer {
+        /// Thickness of the layer.
+        thickness ("6 m"): Field<Length> [Limits::from(0.1).to(500.0)],
+        /// Velocity of shear waves at the strains of the earthquake.
+        shear_wave_velocity ("180 m/s"): Field<Velocity> [WAVES],
+        /// Density.
+        density ("1900 kg/m3"): Opt<Density> [EARTH] = Absent::Follows("soil_density"),
+        /// Poisson's ratio.
+        poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)] = Absent::Follows("soil_poisson_ratio"),
+        /// Material damping ratio.
+        damping (0.05): Opt<Number> [Limits::from(0.0).to(0.3)] = Absent::Follows("soil_damping"),
+    }
+}
+
 choice!(FoundationKind);
+
+/// Velocity of shear waves, from soft clay to rock.
+const WAVES: Limits = Limits::from(50.0).to(3000.0);
+/// Density of soil.
+const EARTH: Limits = Limits::from(1000.0).to(3000.0).usual(1400.0, 2500.0);
 
 /// What the tank is like above its bottom.
 pub(super) struct Above<'a> {
@@ -340,4 +367,39 @@ fn foundation(
         thickness,
         friction,
     })
+}
+
+/// What the soil under a slab is besides a uniform half-space.
+///
+/// * `moves`: whether the slab moves on soil
+pub(super) fn subsoil(
+    r: &mut Resolver<'_>,
+    given: Option<&Foundation>,
+    foundation: Option<&tank::Foundation>,
+    moves: bool,
+) -> tank::Subsoil {
+    let (Some(given), Some(foundation)) = (given, foundation) else { return tank::Subsoil::default() };
+    if !moves {
+        let allowed = "an anchored cylinder on \"kind\": \"slab\" with shear_wave_velocity, without isolators";
+        r.inapplicable(&given.soil_damping, "soil_damping is for a slab that moves on its soil", allowed);
+        r.inapplicable(&given.embedment, "embedment is for a slab that moves on its soil", allowed);
+        r.inapplicable(&given.soil_layers, "soil_layers are for a slab that moves on its soil", allowed);
+        return tank::Subsoil::default();
+    }
+    let damping = r.optional(&given.soil_damping).unwrap_or(0.0);
+    let embedment = r.optional(&given.embedment).unwrap_or(0.0);
+    let mut layers = Vec::new();
+    if let Some(field) = &given.soil_layers.given {
+        r.at_most(field, "layers of soil");
+        for one in field.value.iter().flatten().filter_map(|field| field.value.as_ref()) {
+            layers.push(tank::SoilLayer {
+                thickness: r.number(&one.thickness),
+                shear_wave_velocity: r.number(&one.shear_wave_velocity),
+                density: r.optional(&one.density).unwrap_or(foundation.soil_density),
+                poisson_ratio: r.optional(&one.poisson_ratio).unwrap_or(foundation.soil_poisson_ratio),
+                damping: r.optional(&one.damping).unwrap_or(damping),
+            });
+        }
+    }
+    tank::Subsoil { damping, embedment, layers }
 }

@@ -110,6 +110,11 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let above = Above { courses: courses.as_deref(), shape, support, isolated: t.isolators.given.is_some(), corrosion };
     let (bottom, foundation) = base::base(r, (&t.bottom, &t.foundation), &above, materials);
     let ground = (t.foundation.value(), foundation.as_ref());
+    let moves = matches!(shape, Some(Shape::Cylinder { .. }))
+        && support == Some(Support::Anchored)
+        && t.isolators.given.is_none()
+        && foundation.is_some_and(|f| f.kind == tank::FoundationKind::Slab && f.shear_wave_velocity.is_some());
+    let subsoil = base::subsoil(r, t.foundation.value(), foundation.as_ref(), moves);
     let isolators = t.isolators.given.as_ref().and_then(|field| isolators(r, field, ground, (shape, support)));
     let anchors = t.anchors.value().and_then(|given| base::anchors(r, given));
     let pressure = pressure(r, &t.pressure);
@@ -138,6 +143,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         insulation,
         bottom,
         foundation,
+        subsoil,
         isolators,
         anchors,
         pressure,

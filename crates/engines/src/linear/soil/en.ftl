@@ -6,6 +6,10 @@ soil-about =
 soil-ground =
     { $slab }. Soil with V_s = { $velocity }, { $density }, Poisson's ratio { $poisson }: static stiffness { $horizontal } and
     { $rocking }. Impulsive mode { $mass } at { $arm } above the underside of the slab, damping { $damping } on a fixed base.
+soil-ground-layers =
+    { $slab }. { $layers } layers of soil over a half-space with V_s = { $velocity }; underside { $embedment } below the ground, material
+    damping { $hysteresis } in the half-space. Impulsive mode { $mass } at { $arm } above the underside of the slab, damping { $damping } on
+    a fixed base.
 soil-slab = Slab { $radius } in radius, { $thickness } thick, { $mass }
 soil-slab-without-mass = Slab { $radius } in radius, without mass
 
@@ -25,12 +29,17 @@ soil-effective-ratio = over fixed base
 soil-damping = Damping
 soil-fixed = fixed base
 soil-effective-cones = on soil, complex stiffness with cones
+soil-effective-layers = on soil, complex stiffness with cones in layers
 soil-veletsos = on soil, complex stiffness after Veletsos and Verbic
 soil-complex_mode = on soil, complex mode on cones, with the slab
 soil-static = on soil, static springs
 soil-definitions =
     Definitions of the damping agree below 0.10 and differ by up to a third above 0.20. No value of this report is computed
     from them: the time history has the cones themselves.
+
+soil-at-frequency =
+    Springs and dashpots are the complex stiffness at { $period }, the period of the impulsive mode on the soil; the time history has them at
+    all frequencies. Waves of the liquid, much slower, hardly move the slab.
 
 soil-motion = Largest motion of the slab
 soil-motion-quantity = Slab
@@ -49,6 +58,12 @@ soil-rigid =
 soil-meek =
     Soil as cones of Meek and Wolf with the stiffness of `shear_wave_velocity`, the value at the strains of the earthquake; its
     hysteresis is left out.
+soil-rigid-layers =
+    The slab is rigid, its edge in contact with the soil over the depth of its underside; the motion of the free field at the ground moves
+    the underside. Kinematic interaction, which makes that motion smaller and turns the slab, is left out.
+soil-layered =
+    Soil as cones with reflection and refraction at { $layers } layers (Wolf and Deeks 2004), discs over an embedment of { $embedment },
+    material damping by the correspondence principle; velocities are those at the strains of the earthquake.
 soil-bottom =
     The bottom pressure turns the slab, and the liquid on the turning floor has its inertia; the weight of liquid and wall has no moment
     in the turned position.

@@ -7,6 +7,7 @@ use tank::Case;
 
 use super::Slab;
 use super::floor::Floor;
+use super::ground::Ground;
 use super::residual;
 use crate::FeError;
 use crate::coupled::{Coupled, Part, ShapeRows};
@@ -15,8 +16,6 @@ use crate::error::failure;
 use crate::modes::{self, CoupledMode};
 use crate::probe::{Probe, ProbeLine};
 
-/// Unknowns of the slab and of the cone.
-const ADDED: usize = 3;
 /// Dashpots of the ground, the last of the system.
 const GROUND: usize = 2;
 /// Frequency of the spring that holds the internal rotation of the cone, over the lowest of the tank: a free rotation has no mode. Where the
@@ -87,10 +86,10 @@ impl Rigid {
     }
 }
 
-/// Mass and stiffness with the unknowns of the slab in units of `scale`, on springs.
-fn with_slab(held: &Coupled, rigid: &Rigid, scale: [f64; ADDED], spring: [f64; ADDED]) -> (Matrix, Matrix) {
+/// Mass and stiffness with the unknowns of the slab in units of `scale`, on springs; `inner`: that of the internal rotation.
+fn with_slab(held: &Coupled, rigid: &Rigid, scale: &[f64], (spring, inner): ([[f64; 2]; 2], f64)) -> (Matrix, Matrix) {
     let n = held.influence.len();
-    let size = n + ADDED;
+    let size = n + scale.len();
     let shear = held.mass.times(&held.influence);
     let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
     for j in 0..n {
@@ -103,9 +102,16 @@ fn with_slab(held: &Coupled, rigid: &Rigid, scale: [f64; ADDED], spring: [f64; A
             mass.add(n + k, i, scale[k] * f);
         }
     }
-    for k in 0..ADDED {
+    for k in 0..scale.len() {
         mass.add(n + k, n + k, 1.0);
-        stiffness.add(n + k, n + k, spring[k] * scale[k] * scale[k]);
+    }
+    for (i, row) in spring.iter().enumerate() {
+        for (j, value) in row.iter().enumerate() {
+            stiffness.add(n + i, n + j, value * scale[i] * scale[j]);
+        }
+    }
+    if let Some(scale) = scale.get(2) {
+        stiffness.add(n + 2, n + 2, inner * scale * scale);
     }
     let coupling = rigid.first * scale[0] * scale[1];
     mass.add(n, n + 1, coupling);
@@ -113,24 +119,26 @@ fn with_slab(held: &Coupled, rigid: &Rigid, scale: [f64; ADDED], spring: [f64; A
     (mass, stiffness)
 }
 
-/// A row with zeros for the unknowns of the slab.
-fn longer(row: &[f64]) -> Vec<f64> {
-    row.iter().copied().chain([0.0; ADDED]).collect()
-}
-
 /// Rows of a system with the unknowns of the slab.
 struct OnSlab<'a> {
     held: &'a Coupled,
     rigid: &'a Rigid,
-    scale: [f64; ADDED],
+    scale: &'a [f64],
 }
 
 impl OnSlab<'_> {
     /// A row of these entries of the slab alone.
     fn unit(&self, entries: &[(usize, f64)]) -> Vec<f64> {
         let n = self.held.influence.len();
-        let mut row = vec![0.0; n + ADDED];
+        let mut row = vec![0.0; n + self.scale.len()];
         entries.iter().for_each(|(i, v)| row[n + i] = *v);
+        row
+    }
+
+    /// A row with zeros for the unknowns of the slab.
+    fn longer(&self, row: &[f64]) -> Vec<f64> {
+        let mut row = row.to_vec();
+        row.resize(self.held.influence.len() + self.scale.len(), 0.0);
         row
     }
 
@@ -140,11 +148,11 @@ impl OnSlab<'_> {
         let a = &probe.absolute_acceleration;
         let still = a.is_empty() && probe.ground_acceleration == 0.0;
         let moved = if a.is_empty() { 0.0 } else { dot(a, &self.held.influence) };
-        let mut row = if a.is_empty() { vec![0.0; n + ADDED] } else { longer(a) };
+        let mut row = self.longer(a);
         row[n] = self.scale[0] * (moved + probe.ground_acceleration);
         row[n + 1] = self.scale[1] * self.rigid.turned(probe, z, self.held);
         Probe {
-            displacement: if probe.displacement.is_empty() { Vec::new() } else { longer(&probe.displacement) },
+            displacement: if probe.displacement.is_empty() { Vec::new() } else { self.longer(&probe.displacement) },
             absolute_acceleration: if still { Vec::new() } else { row },
             ground_acceleration: 0.0,
             ..probe.clone()
@@ -176,29 +184,39 @@ pub(crate) fn on_soil(
     (held, modes): (&Coupled, &[CoupledMode]),
     case: &Case,
     damper: &Damper,
-    slab: &Slab,
+    (slab, ground): (&Slab, &Ground),
 ) -> Result<(Coupled, Vec<CoupledMode>), FeError> {
     let missing = || FeError::Analysis("the model on soil: no row of the overturning moment".into());
     let rigid = Rigid::of(held, case, slab).ok_or_else(missing)?;
-    let cones = slab.disc.cones();
-    let inertia = [rigid.mass, rigid.second + cones.trapped_inertia, cones.internal_inertia];
-    // Unknowns of the slab in units in which their mass is 1.
-    let scale = inertia.map(|m| 1.0 / m.sqrt());
+    let inner = ground.inner.map(|[inertia, _]| inertia);
+    // Unknowns of the slab, and of the cone of a half-space, in units in which their mass is 1.
+    let scale: Vec<f64> = [Some(rigid.mass), Some(rigid.second + ground.trapped_inertia), inner]
+        .into_iter()
+        .flatten()
+        .map(|m| 1.0 / m.sqrt())
+        .collect();
     let n = held.influence.len();
-    let size = n + ADDED;
+    let size = n + scale.len();
     let lowest = modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
-    let spring =
-        [cones.stiffness.horizontal, cones.stiffness.rocking, cones.internal_inertia * (HELD * lowest).powi(2)];
-    let (mass, stiffness) = with_slab(held, &rigid, scale, spring);
-    let slab = OnSlab { held, rigid: &rigid, scale };
+    let inner = inner.map_or(0.0, |inertia| inertia * (HELD * lowest).powi(2));
+    let (mass, stiffness) = with_slab(held, &rigid, &scale, (ground.spring, inner));
+    let slab = OnSlab { held, rigid: &rigid, scale: &scale };
     let own = modes.iter().map(|mode| {
         let momentum = held.mass.times(&mode.vector);
-        (longer(&momentum), 2.0 * damper.of(mode) * mode.omega)
+        (slab.longer(&momentum), 2.0 * damper.of(mode) * mode.omega)
     });
     let mut dashpots: Vec<(Vec<f64>, f64)> = own.collect();
-    dashpots.extend(held.dashpots.iter().map(|(row, c)| (longer(row), *c)));
-    dashpots.push((slab.unit(&[(0, scale[0])]), cones.horizontal_dashpot));
-    dashpots.push((slab.unit(&[(1, scale[1]), (2, -scale[2])]), cones.rocking_dashpot));
+    dashpots.extend(held.dashpots.iter().map(|(row, c)| (slab.longer(row), *c)));
+    match ground.inner {
+        Some([_, dashpot]) => {
+            dashpots.push((slab.unit(&[(0, scale[0])]), ground.dashpot[0][0]));
+            dashpots.push((slab.unit(&[(1, scale[1]), (2, -scale[2])]), dashpot));
+        }
+        None => {
+            let principal = ground.principal([scale[0], scale[1]]);
+            dashpots.extend(principal.map(|([x, turn], c)| (slab.unit(&[(0, x), (1, turn)]), c)));
+        }
+    }
 
     let base = [Channel::FoundationTranslation, Channel::FoundationRotation].into_iter().enumerate();
     let base = base.map(|(k, channel)| Probe { displacement: slab.unit(&[(k, scale[k])]), ..Probe::new(channel) });
@@ -213,7 +231,7 @@ pub(crate) fn on_soil(
         harmonic: held.harmonic,
         influence: slab.unit(&[(0, 1.0 / scale[0])]),
         surface: held.surface.clone(),
-        rotation: Some(Part::block(&stiffness, n + 2..size)),
+        rotation: ground.inner.map(|_| Part::block(&stiffness, n + 2..size)),
         probes: held.probes.iter().map(|probe| slab.probe(probe, None)).chain(base).collect(),
         lines: held.lines.iter().map(|line| slab.line(line)).collect(),
         level: held.level,
@@ -230,8 +248,8 @@ pub(crate) fn on_soil(
         stiffness,
     };
     let mut found = modes::solve(&coupled, None)?;
-    let ground = coupled.dashpots.len() - GROUND;
-    found.extend(residual::modes(&coupled, &found, &coupled.dashpots[ground..])?);
+    let own = coupled.dashpots.len() - GROUND;
+    found.extend(residual::modes(&coupled, &found, &coupled.dashpots[own..])?);
     set_damping(&mut found, &coupled.dashpots);
     Ok((coupled, found))
 }

@@ -15,21 +15,23 @@ use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
 
 use super::extend::Rigid;
+use super::ground::Ground;
 use super::{CONCRETE, Slab};
 use crate::FeError;
+use crate::damping::Damper;
 use crate::linear::analysis::{Analysis, LineExtremes, analyse};
 use crate::linear::model::Model;
+use crate::linear::system::Harmonic;
 use results::channel::OnWall;
 
 /// The impulsive mode as a structure of one mass, with the arm about the underside of the slab; `None` without such a mode.
-pub(crate) fn impulsive(case: &Case, model: &Model, slab: &Slab) -> Option<Mode> {
-    let held = model.held();
+pub(crate) fn impulsive(case: &Case, held: &Harmonic, damper: &Damper, slab: &Slab) -> Option<Mode> {
     let omega = held.impulsive()?.dominant.omega;
     let mode = held.modes.iter().find(|mode| mode.omega == omega)?;
     let rigid = Rigid::of(&held.coupled, case, slab)?;
     Some(Mode {
         omega,
-        damping: model.damper.of(mode),
+        damping: damper.of(mode),
         translation: mode.participation,
         rotation: dot(&mode.vector, &rigid.moment),
     })
@@ -38,15 +40,20 @@ pub(crate) fn impulsive(case: &Case, model: &Model, slab: &Slab) -> Option<Mode>
 /// Effective period and damping by each definition, and those on a fixed base, as rows of their table.
 ///
 /// Errors: no convergence.
-fn effective(on: &OnSoil, slab: &Slab) -> Result<Vec<Vec<Fact>>, SoilError> {
-    let fixed = on.structure.period;
+fn effective(structure: &Structure, slab: &Slab) -> Result<Vec<Vec<Fact>>, SoilError> {
+    let fixed = structure.period;
     let row = |id: &str, period: f64, damping: Option<f64>| {
         vec![id.into(), period.into(), (period / fixed).into(), damping.into()]
     };
     let with = |id, found: Effective| row(id, found.period, Some(found.damping));
+    let own = row("fixed", fixed, Some(structure.damping));
+    if let Some(soil) = &slab.embedded {
+        return Ok(vec![own, with("layers", soil.effective(structure)?)]);
+    }
+    let on = &OnSoil::new(*structure, slab.disc)?;
     let chain = Chain::new(on, [slab.mass(), slab.inertia()])?;
     Ok(vec![
-        row("fixed", fixed, Some(on.structure.damping)),
+        own,
         with("cones", on.effective(Impedance::Cone)?),
         with("veletsos", on.effective(Impedance::Veletsos)?),
         with("complex_mode", chain.complex_mode()?),
@@ -65,11 +72,11 @@ pub(crate) fn outcome(
     options: &Options,
 ) -> Result<Option<(Part, Option<usize>)>, FeError> {
     let (Some(slab), true) = (Slab::of(case)?, model.fixed.is_some()) else { return Ok(None) };
-    let Some(mode) = impulsive(case, model, &slab) else { return Ok(None) };
+    let Some(mode) = impulsive(case, model.held(), &model.damper, &slab) else { return Ok(None) };
     let failed = |e: SoilError| FeError::Analysis(format!("the tank on soil: {e}"));
     let structure = mode.structure();
-    let on = OnSoil::new(structure, slab.disc).map_err(failed)?;
-    let effective = effective(&on, &slab).map_err(failed)?;
+    let effective = effective(&structure, &slab).map_err(failed)?;
+    let ground = Ground::of(&slab, Some(mode))?;
     let fixed_model = model.on_fixed_base();
     let found = analyse(&fixed_model, motion, options, &Silent)?;
     let fixed = found.values(&fixed_model, true);
@@ -88,10 +95,10 @@ pub(crate) fn outcome(
         id: "soil".into(),
         blocks: vec![
             Block::Text(Message::new("soil-about")),
-            Block::Note(ground(&slab, &structure)),
-            Block::Table(cones(&slab)),
+            Block::Note(described(&slab, &structure)),
+            Block::Table(springs(&ground)),
             Block::Table(Table::new("effective", &EFFECTIVE, effective)),
-            Block::Note(Message::new("soil-definitions")),
+            Block::Note(definitions(&ground)),
             Block::values("motion", motion.collect()),
             Block::values("beside", beside.collect()),
             history(Channel::FoundationTranslation),
@@ -111,7 +118,7 @@ const EFFECTIVE: [(&str, Dimension, Form); 4] = [
 ];
 
 /// Slab, soil and stiffness.
-fn ground(slab: &Slab, structure: &Structure) -> Message {
+fn described(slab: &Slab, structure: &Structure) -> Message {
     let given = |value, unit| Amount::new(value, unit).form(Form::Given);
     let radius = given(slab.disc.radius, Dimension::Length);
     let plate = match slab.thickness > 0.0 {
@@ -121,21 +128,38 @@ fn ground(slab: &Slab, structure: &Structure) -> Message {
         false => Message::new("soil-slab-without-mass"),
     };
     let (soil, stiffness) = (slab.disc.soil, slab.disc.stiffness());
-    Message::new("soil-ground")
+    let ground = match &slab.embedded {
+        None => Message::new("soil-ground")
+            .with("density", given(soil.density, Dimension::Density))
+            .with("poisson", Amount::ratio(soil.poisson_ratio).form(Form::Fixed(3)))
+            .with("horizontal", Amount::new(stiffness.horizontal, Dimension::LineForce))
+            .with("rocking", Amount::new(stiffness.rocking, Dimension::RotationalStiffness)),
+        Some(embedded) => Message::new("soil-ground-layers")
+            .with("layers", Amount::ratio(embedded.layers.len() as f64).form(Form::Given))
+            .with("embedment", given(embedded.embedment, Dimension::Length))
+            .with("hysteresis", Amount::percent(embedded.below.damping)),
+    };
+    ground
         .with("slab", plate.with("radius", radius))
         .with("velocity", given(soil.shear_wave_velocity, Dimension::Velocity))
-        .with("density", given(soil.density, Dimension::Density))
-        .with("poisson", Amount::ratio(soil.poisson_ratio).form(Form::Fixed(3)))
-        .with("horizontal", Amount::new(stiffness.horizontal, Dimension::LineForce))
-        .with("rocking", Amount::new(stiffness.rocking, Dimension::RotationalStiffness))
         .with("mass", Amount::new(structure.mass, Dimension::Mass))
         .with("arm", Amount::new(structure.height, Dimension::Length))
         .with("damping", Amount::percent(structure.damping))
 }
 
-/// Springs, dashpots and inertia of the cones.
-fn cones(slab: &Slab) -> Table {
-    let (stiffness, cones) = (slab.disc.stiffness(), slab.disc.cones());
+/// What is said of the damping ratios: how their definitions differ, or to which frequency springs and dashpots belong.
+fn definitions(ground: &Ground) -> Message {
+    match ground.omega {
+        None => Message::new("soil-definitions"),
+        Some(omega) => {
+            let period = Amount::new(std::f64::consts::TAU / omega, Dimension::Time).form(Form::Fixed(4));
+            Message::new("soil-at-frequency").with("period", period)
+        }
+    }
+}
+
+/// Springs, dashpots and inertia of the ground.
+fn springs(ground: &Ground) -> Table {
     let some = |value: f64, unit| Fact::from((value > 0.0).then(|| Amount::new(value, unit)));
     let inertia = |value| some(value, Dimension::RotationalInertia);
     let columns = [
@@ -144,32 +168,40 @@ fn cones(slab: &Slab) -> Table {
         ("dashpot", Dimension::Dimensionless, Form::Usual),
         ("inertia", Dimension::Dimensionless, Form::Usual),
     ];
-    let rows = vec![
+    let mut rows = vec![
         vec![
             "translation".into(),
-            some(stiffness.horizontal, Dimension::LineForce),
-            some(cones.horizontal_dashpot, Dimension::Dashpot),
+            some(ground.spring[0][0], Dimension::LineForce),
+            some(ground.dashpot[0][0], Dimension::Dashpot),
             Fact::None,
         ],
         vec![
             "rocking".into(),
-            some(stiffness.rocking, Dimension::RotationalStiffness),
-            Fact::None,
-            inertia(cones.trapped_inertia),
-        ],
-        vec![
-            "internal".into(),
-            Fact::None,
-            some(cones.rocking_dashpot, Dimension::RotationalDashpot),
-            inertia(cones.internal_inertia),
+            some(ground.spring[1][1], Dimension::RotationalStiffness),
+            some(ground.dashpot[1][1], Dimension::RotationalDashpot),
+            inertia(ground.trapped_inertia),
         ],
     ];
+    if let Some([mass, dashpot]) = ground.inner {
+        let dashpot = some(dashpot, Dimension::RotationalDashpot);
+        rows.push(vec!["internal".into(), Fact::None, dashpot, inertia(mass)]);
+    }
     Table::new("cones", &columns, rows)
 }
 
 fn assumptions(slab: &Slab) -> Block {
-    let mut items: Vec<Message> =
-        ["rigid", "meek", "bottom", "modal", "vertical"].map(|id| Message::new(&format!("soil-{id}"))).to_vec();
+    let said = |ids: &[&str]| -> Vec<Message> { ids.iter().map(|id| Message::new(&format!("soil-{id}"))).collect() };
+    let mut items = match &slab.embedded {
+        None => said(&["rigid", "meek"]),
+        Some(soil) => {
+            let given = |value| Amount::new(value, Dimension::Length).form(Form::Given);
+            let layered = Message::new("soil-layered")
+                .with("layers", Amount::ratio(soil.layers.len() as f64).form(Form::Given))
+                .with("embedment", given(soil.embedment));
+            vec![Message::new("soil-rigid-layers"), layered]
+        }
+    };
+    items.extend(said(&["bottom", "modal", "vertical"]));
     items.push(match slab.thickness > 0.0 {
         true => {
             let density = Amount::new(CONCRETE, Dimension::Density).form(Form::Given);
