@@ -1,12 +1,13 @@
-//! German of what people read who write a tank file: help of its keys, and faults.
+//! German of what people read who write a tank file: help of its keys, faults, warnings, and what a search for a value has found.
 //!
 //! Source:    the schema, which has every key with its help, limits and words
-//! Goal:      a key cannot come without its German, nor a fault that a wrong value makes
-//! Remedy:    two lines in `crates/report/src/language/german/keys.txt` or `faults.txt`; `TANKCHECK_SHOW=folder` writes the faults with
+//! Goal:      a key cannot come without its German, nor a fault or a warning that a wrong value makes
+//! Remedy:    two lines in `crates/report/src/language/german/keys.txt` or `faults.txt`; `TANKCHECK_SHOW=folder` writes the texts with
 //!            their German
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use files::code::Code;
 use report::language::of_input;
@@ -21,6 +22,13 @@ fn root() -> PathBuf {
 /// The texts that have no German.
 fn without_german<'t>(texts: impl IntoIterator<Item = &'t str>) -> BTreeSet<&'t str> {
     texts.into_iter().filter(|text| !text.is_empty() && of_input(text).is_none()).collect()
+}
+
+/// Writes the texts with their German where someone looks at them.
+fn show(name: &str, texts: &BTreeSet<String>) {
+    let Ok(folder) = std::env::var("TANKCHECK_SHOW") else { return };
+    let said = |text: &String| format!("{text}\n{}\n", of_input(text).unwrap_or_default());
+    std::fs::write(Path::new(&folder).join(name), texts.iter().map(said).collect::<String>()).expect("writable");
 }
 
 /// Every description of a schema.
@@ -139,9 +147,15 @@ fn wrong() -> Vec<Value> {
     all
 }
 
-/// Adds the texts of the faults of a file.
+/// Adds the texts of the faults or of the warnings of a file.
 fn faults(text: &str, texts: &mut BTreeSet<String>) {
-    let Err(faults) = parse(&Source::new("tank.json", text)) else { return };
+    let faults = match parse(&Source::new("tank.json", text)) {
+        Err(faults) => faults,
+        Ok(file) => {
+            texts.extend(file.warnings.iter().map(|warning| warning.text().to_owned()));
+            return texts.extend(file.remarks);
+        }
+    };
     for fault in faults.list() {
         // The keys of an object, in a list.
         let keys = fault.code == Code::UnknownKey;
@@ -177,7 +191,7 @@ fn spoiled(example: &str, others: &[Value]) -> BTreeSet<String> {
 
 /// One value of a tank is wrong, is missing, or stands where it does not apply: in tanks of steel, of concrete and of a strip.
 #[test]
-fn faults_are_german() {
+fn faults_and_warnings_are_german() {
     let wrong = wrong();
     let others = ["08_concrete_cylinder", "06_sandwich_strip", "09_slender_unanchored"];
     let mut texts = std::thread::scope(|scope| {
@@ -254,11 +268,7 @@ fn faults_are_german() {
     for text in ["", "// nothing", "[]", "1", &"[".repeat(500)] {
         faults(text, &mut texts);
     }
-    let said = |text: &String| format!("{text}\n{}\n", of_input(text).unwrap_or_default());
-    if let Ok(folder) = std::env::var("TANKCHECK_SHOW") {
-        let all: String = texts.iter().map(said).collect();
-        std::fs::write(Path::new(&folder).join("faults.txt"), all).expect("writable");
-    }
+    show("faults.txt", &texts);
     assert!(texts.len() > 500, "{}", texts.len());
     let missing = without_german(texts.iter().map(String::as_str));
     assert!(
@@ -270,4 +280,33 @@ fn faults_are_german() {
     let german: BTreeSet<String> = texts.iter().filter_map(|text| of_input(text)).collect();
     let english = with_english(&german);
     assert!(english.is_empty(), "{english:#?}");
+}
+
+/// What `--solve` has found, for each of its variables, where a value holds and where none does.
+#[test]
+fn found_values_are_german() {
+    let mut texts = BTreeSet::new();
+    for (example, variable) in [
+        ("05_oil_tank", "fill_height"),
+        ("05_oil_tank", "thickness:1"),
+        ("05_oil_tank", "thickness:7"),
+        ("05_oil_tank", "ag"),
+        ("05_oil_tank", "ss"),
+        ("12_water_tank", "fill_height"),
+        ("12_water_tank", "ag"),
+    ] {
+        let tank = root().join("examples").join(example).join("tank.json");
+        let run = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+            .arg("check")
+            .arg(tank)
+            .args(["--solve", variable])
+            .output()
+            .expect("runs");
+        let out = String::from_utf8(run.stdout).expect("UTF-8");
+        texts.extend(out.lines().filter(|line| line.contains(" evaluations from ")).map(str::to_owned));
+    }
+    show("found.txt", &texts);
+    assert_eq!(texts.len(), 7, "{texts:#?}");
+    let missing = without_german(texts.iter().map(String::as_str));
+    assert!(missing.is_empty(), "{missing:#?}");
 }

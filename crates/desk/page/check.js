@@ -3,7 +3,7 @@
 
 import { rove, toolbar } from './areas.js';
 import { h, fill } from './dom.js';
-import { isMissing, marked } from './marked.js';
+import { isMissing, marked, tongue, wording } from './marked.js';
 import { significant, show, unitFor } from './units.js';
 import { decides, recordSentence } from './verdict.js';
 import { localised, t } from './words.js';
@@ -41,7 +41,7 @@ export class Checks {
     this.element.classList.toggle('check-old', !answer.results);
     this.drawVerdict();
     this.draw();
-    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), h('span', { lang: warning.german ? null : 'en' }, ` ${warning.german ?? warning.message}`))));
+    fill(this.warnings, (answer.warnings ?? []).map((warning) => h('li', {}, h('code', {}, warning.code), h('span', { lang: tongue(warning) }, ` ${wording(warning)}`))));
   }
 
   clear() {

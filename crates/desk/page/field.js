@@ -5,7 +5,7 @@ import { meaning } from './choices.js';
 import { h, fill, uniqueId } from './dom.js';
 import { helpFor } from './help.js';
 import { labelAt } from './labels.js';
-import { isMissing, marked, spoken, tongue } from './marked.js';
+import { isMissing, marked, tongue, wording } from './marked.js';
 import { formatPath } from './path.js';
 import { complete, completed, converted, halved, split, tidy } from './quantity.js';
 import { localised, t } from './words.js';
@@ -278,13 +278,13 @@ export class Field {
 const defaultWords = (value) => (value === true ? t('form-yes') : value === false ? t('form-no') : typeof value === 'number' ? String(Number(value.toPrecision(6))) : String(value));
 
 /** What to do about a fault. The program speaks of its options where the page has a room. */
-const helpWords = (fault) => (fault.code === 'T0104' ? t('form-no-motion') : spoken(fault, 'help'));
+const helpWords = (fault) => (fault.code === 'T0104' ? t('form-no-motion') : wording(fault, 'help'));
 
 /** A fault in the words of the terminal, with what it found, what it takes and what to do. */
 export function faultItem(form, fault) {
   const help = helpWords(fault);
   const own = help !== fault.help;
-  return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', { lang: tongue(fault) }, marked(spoken(fault))),
-    fault.allowed ? h('span', { lang: tongue(fault, 'allowed') }, marked(t('form-expected', { what: spoken(fault, 'allowed') }))) : null,
+  return h('li', { class: isMissing(fault) ? 'field-missing' : '' }, h('strong', { lang: tongue(fault) }, marked(wording(fault))),
+    fault.allowed ? h('span', { lang: tongue(fault, 'allowed') }, marked(t('form-expected', { what: wording(fault, 'allowed') }))) : null,
     help ? h('span', { lang: own ? null : 'en' }, marked(help)) : null, form.remedies(fault));
 }

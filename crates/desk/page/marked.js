@@ -9,8 +9,8 @@ export const isMissing = (fault) => fault.code === 'T0207' || fault.code === 'T0
 /** The place of a fault; one without a path may name the key to add. */
 export const placeOf = (fault) => parsePath(fault.path || (/^add `([\w.]+)`/.exec(fault.help ?? '')?.[1] ?? ''));
 
-/** A text of a fault, or of a warning, for people: German on a German page where there is one, English elsewhere. */
-export const spoken = (fault, part = 'message') => fault.german?.[part] ?? fault[part];
+/** A text of a fault or a warning: German on a German page where there is one, English elsewhere. */
+export const wording = (fault, part = 'message') => fault.german?.[part] ?? fault[part];
 
 /** `lang` of that text: the language of the page has no mark. */
 export const tongue = (fault, part = 'message') => (fault.german?.[part] ? null : 'en');

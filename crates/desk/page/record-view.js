@@ -2,6 +2,7 @@
 
 import { choice, fill, h, labelled, spoken } from './dom.js';
 import { nodeAt, plain } from './jsonc.js';
+import { tongue, wording } from './marked.js';
 import { marks } from './marks.js';
 import { keeping } from './record-keep.js';
 import { UNITS, reading, recordOf, setReading } from './reading.js';
@@ -62,7 +63,7 @@ async function read(view, asked = false) {
   view.asked = new AbortController();
   fill(parts.body, h('p.empty', {}, t('rec-reading', { name: path })));
   try {
-    view.answer = await desk.api.post('record', recordOf(path), { signal: view.asked.signal });
+    view.answer = await desk.api.post('record', { ...recordOf(path), language: desk.settings.language }, { signal: view.asked.signal });
   } catch (error) {
     if (error.name === 'AbortError') return;
     view.answer = null;
@@ -203,8 +204,8 @@ function facts(view) {
   const asked = Object.keys(reading(view.path)).length > 0;
   return h('section.panel.stack', {},
     h('dl.facts', {}, rows.map(([id, text]) => [h('dt', {}, t(id)), h('dd', {}, spoken(text))])),
-    view.answer.warnings?.map((warning) => h('p.open-state', { lang: 'en' }, spoken(warning.message))),
-    info.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, info.notes.map((note) => h('li', { lang: 'en' }, spoken(note))))] : null,
+    view.answer.warnings?.map((warning) => h('p.open-state', { lang: tongue(warning) }, spoken(wording(warning)))),
+    view.answer.notes?.length ? [h('h3', {}, t('rec-notes')), h('ul', {}, view.answer.notes.map((note) => h('li', { lang: tongue(note) }, spoken(wording(note)))))] : null,
     h('details', { open: asked }, h('summary', {}, t('rec-how')), readingForm(view)));
 }
 

@@ -2,6 +2,7 @@
 
 import { fill, h, labelled } from './dom.js';
 import { nodeAt, plain } from './jsonc.js';
+import { tongue, wording } from './marked.js';
 import { parsePath } from './path.js';
 import { localised, t } from './words.js';
 
@@ -59,7 +60,7 @@ export class Solver {
     const name = thickness ? t('solve-found-thickness', { course: variable.split(':')[1] }) : t(`solve-found-${variable}`);
     const first = answer.found ? t('solve-found', { name, value: localised(String(answer.text)) }) : t('solve-none', { name });
     fill(this.element, h('p', {}, h('strong', {}, first)), h('p.hint', {}, [t(this.bySpectrum() ? 'solve-scope' : 'solve-scope-record'), thickness ? t('solve-scope-thickness') : ''].join(' ').trim()),
-      h('details', { open: !answer.found || this.desk.settings.language === 'en' }, h('summary', {}, t('solve-details')), h('p', { lang: 'en' }, answer.message)), h('div.row', {}, use, this.closeButton()));
+      h('details', { open: !answer.found || this.desk.settings.language === 'en' }, h('summary', {}, t('solve-details')), h('p', { lang: tongue(answer) }, wording(answer))), h('div.row', {}, use, this.closeButton()));
     (use ?? this.element.querySelector('button')).focus();
   }
 

@@ -9,7 +9,7 @@ import { findField } from './find.js';
 import { Form } from './form.js';
 import { plain } from './jsonc.js';
 import { labelAt } from './labels.js';
-import { isMissing, marked, placeOf, spoken, tongue, withoutStyles } from './marked.js';
+import { isMissing, marked, placeOf, tongue, withoutStyles, wording } from './marked.js';
 import { parsePath, valueAt } from './path.js';
 import { Schema } from './schema.js';
 import { Sheet } from './sheet.js';
@@ -217,7 +217,7 @@ class TankRoom {
     const value = plain(this.document.root);
     const summary = h('summary', {}, t(missing === faults.length ? 'tank-missing' : 'tank-faulty', { count: faults.length }));
     fill(this.faultList, summary, h('ul', {}, faults.map((fault) => h('li', { class: isMissing(fault) ? 'field-missing' : '' },
-      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault, value)), ' ', h('span', { lang: tongue(fault) }, marked(spoken(fault)))))));
+      h('button.link', { type: 'button', onclick: () => this.goToFault(fault) }, placeWords(fault, value)), ' ', h('span', { lang: tongue(fault) }, marked(wording(fault)))))));
   }
 
   // A fault of the text as such belongs to no group of the form: it is counted at the text.

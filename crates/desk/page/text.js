@@ -4,7 +4,7 @@
 import { h, fill } from './dom.js';
 import { faultItem } from './field.js';
 import { pieces } from './jsonc.js';
-import { spoken } from './marked.js';
+import { wording } from './marked.js';
 import { t } from './words.js';
 
 export class TextEditor {
@@ -76,7 +76,7 @@ export class TextEditor {
   }
 
   drawGutter(count) {
-    const wrong = new Map(this.faults.map((fault) => [fault.line, spoken(fault)]));
+    const wrong = new Map(this.faults.map((fault) => [fault.line, wording(fault)]));
     const lines = Array.from({ length: count }, (_, index) => {
       const message = wrong.get(index + 1);
       return message ? h('b', { title: message }, `${index + 1}\n`) : `${index + 1}\n`;

@@ -134,4 +134,7 @@ pub struct RecordChoice {
     /// Columns of a table, as of `--columns`.
     #[serde(default)]
     pub columns: Option<String>,
+    /// Language of what is said about it, as of a tank; English without.
+    #[serde(default)]
+    pub language: Option<String>,
 }

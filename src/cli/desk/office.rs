@@ -96,14 +96,14 @@ fn templates() -> Value {
 }
 
 /// Language and units of an answer.
-fn wished(tank: &Tank) -> Wished {
+fn wished(language: Option<&str>, units: Option<&str>) -> Wished {
     style::wish(Wish {
-        language: match tank.language.as_deref() {
+        language: match language {
             Some("de") => Some(Language::German),
             Some("en") => Some(Language::English),
             _ => None,
         },
-        units: match tank.units.as_deref() {
+        units: match units {
             Some("us") => Some(System::Us),
             Some("si") => Some(System::Si),
             _ => None,
@@ -177,7 +177,7 @@ fn columns(text: &str) -> Result<Columns, Error> {
 
 fn check(asked: &Tank) -> Value {
     let started = Instant::now();
-    let _wished = wished(asked);
+    let _wished = wished(asked.language.as_deref(), asked.units.as_deref());
     let found = job(asked).and_then(|(job, remarks)| {
         let outcome = pipeline::run(&job, &Silent)?;
         Ok((job, remarks, outcome.results))
@@ -256,7 +256,7 @@ fn german(message: &str, allowed: &str, help: Option<&str>) -> Value {
 }
 
 fn warning(code: Option<&str>, message: &str) -> Value {
-    json!({ "code": code, "message": message, "german": german(message, "", None)["message"] })
+    json!({ "code": code, "message": message, "german": german(message, "", None) })
 }
 
 /// Puts German descriptions into a schema.
@@ -314,7 +314,7 @@ fn translate(value: &mut Value, read: bool) {
 }
 
 fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refused> {
-    let _wished = wished(asked);
+    let _wished = wished(asked.language.as_deref(), asked.units.as_deref());
     let (job, _) = job(asked)?;
     let results = pipeline::run(&job, &Silent).map_err(|e| refused(&e))?.results;
     let method = results.methods.get(method).ok_or_else(|| Refused::new("there is no such method"))?;
@@ -329,7 +329,7 @@ fn sheet(asked: &Tank, method: usize, check: Option<&str>) -> Result<Value, Refu
 }
 
 fn solution(asked: &Tank, variable: &str) -> Result<Value, Refused> {
-    let _wished = wished(asked);
+    let _wished = wished(asked.language.as_deref(), asked.units.as_deref());
     let (job, _) = job(asked)?;
     let variable = Variable::parse(variable).map_err(|e| refused(&e))?;
     let solution = solve::run(&job, variable).map_err(|e| refused(&e))?;
@@ -345,17 +345,22 @@ fn solution(asked: &Tank, variable: &str) -> Result<Value, Refused> {
         Variable::Ss => text.trim_end_matches(" g").parse::<f64>().map_or(Value::from(text.as_str()), Value::from),
         _ => Value::from(text),
     });
+    let message = solving::paragraph(&solution);
+    let _style = style::of(job.project.as_ref());
     Ok(json!({
         "value": solution.value().map(|(value, _)| value),
         "unit": variable.unit(),
         "text": stated,
         "path": path,
         "found": solution.value().is_some(),
-        "message": solving::paragraph(&solution),
+        "german": german(&message, "", None),
+        "message": message,
     }))
 }
 
 fn record(choice: &RecordChoice) -> Result<Value, Refused> {
+    let _wished = wished(choice.language.as_deref(), None);
+    let _style = style::of(None);
     let options = reading(choice).map_err(|e| refused(&e))?.options();
     let read = records::read(Path::new(&choice.path), &options).map_err(|e| Refused::new(e.to_string()))?;
     let (count, first, last) = PERIODS;
@@ -371,7 +376,8 @@ fn record(choice: &RecordChoice) -> Result<Value, Refused> {
         "acceleration": acceleration,
         "spectrum": { "period": periods, "psa": psa, "damping": DAMPING },
         "usable_period": read.usable_period(),
-        "warnings": doubts.iter().map(|w| json!({ "code": w.code().map(|c| c.id()), "message": w.text() })).collect::<Vec<_>>(),
+        "notes": read.notes.iter().map(|note| warning(None, note)).collect::<Vec<_>>(),
+        "warnings": doubts.iter().map(|w| warning(w.code().map(|c| c.id()), w.text())).collect::<Vec<_>>(),
     }))
 }
 
