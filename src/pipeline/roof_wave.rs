@@ -86,7 +86,7 @@ fn carried(case: &Case) -> Option<Part> {
         Some(Carried { free: TAU / found.free, loaded, wave })
     };
     let modes = [mode(1)?, mode(2)?];
-    let bent = modes[1].wave.and_then(|wave| roof_wave::bent(case, wave));
+    let bent = modes[1].wave.filter(|wave| *wave > 0.0).and_then(|wave| roof_wave::bent(case, wave));
     let bent = bent.map(|bent| Bent { curvature: bent.curvature, shortening: bent.shortening });
     Some(floating(case.tank.roof.afloat / case.tank.shape.plan_area(), modes, bent))
 }
