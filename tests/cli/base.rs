@@ -95,7 +95,7 @@ fn bad_input_has_one_message() {
             t["tank"]["foundation"][key] = value.clone();
         }
     };
-    said(&with("friction", json!(0)), &[], "tank.foundation.friction");
+    said(&with("friction", json!(-0.1)), &[], "tank.foundation.friction");
     said(&with("stiffness", json!("1 N/m3")), &[], "tank.foundation.stiffness");
     said(&with("shear_wave_velocity", json!("5 m/s")), &[], "tank.foundation.shear_wave_velocity");
     // Rock of 3 km/s: more than the largest stiffness.

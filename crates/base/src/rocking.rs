@@ -167,6 +167,21 @@ impl Rocking {
         sum
     }
 
+    /// Width of the plate that is off the ground where the rim is lifted by `uplift` [m], at the angle from the lifted side whose cosine is given, under
+    /// a bottom pressure that is lower by `suction` times it [Pa]; straight between the curves.
+    pub fn lifted_width(&self, uplift: f64, cosine: f64, suction: f64) -> f64 {
+        let pressure = self.pressure() - suction * cosine;
+        let width = |i: usize| self.curves[i].1.at(uplift).lifted_width;
+        let below = self.curves.partition_point(|c| c.0 > pressure);
+        match (below.checked_sub(1), self.curves.get(below)) {
+            (Some(above), Some((low, _))) => {
+                let share = (pressure - low) / (self.curves[above].0 - low);
+                width(below) + share * (width(above) - width(below))
+            }
+            (above, _) => width(above.unwrap_or(below)),
+        }
+    }
+
     fn range(&self) -> (f64, f64) {
         self.curves.iter().fold((f64::NEG_INFINITY, f64::INFINITY), |range, (_, curve)| {
             let (from, to) = curve.range();

@@ -15,7 +15,7 @@ pub use behaviour::{
 };
 pub use details::{BottomConnections, Details, Joint, Presence, ShellSupport, Snow};
 pub use family::Family;
-pub use foundation::{Foundation, FoundationKind, SoilLayer, Subsoil};
+pub use foundation::{FRICTION, Foundation, FoundationKind, SoilLayer, Subsoil};
 pub use isolators::{Bearing, Isolators};
 pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};

@@ -29,7 +29,7 @@ use results::{BaseRun, Channel, EngineId};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, Footing, FreeBase};
 use tank::options::LinearOptions as Options;
-use tank::{Case, Quantity, STANDARD_GRAVITY, Shape, Support};
+use tank::{Case, FRICTION, Quantity, STANDARD_GRAVITY, Shape, Support};
 
 use super::analysis::{Analysis, Extent};
 use super::model::Model;
@@ -315,18 +315,21 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     };
     // That of the wall at its impulsive mode, which the plate and the ground are a part of.
     let impulsive = model.horizontal.impulsive();
-    let delay = impulsive.map_or(0.0, |i| 2.0 * case.damping.impulsive / i.dominant.omega);
+    let after = |ratio: f64| impulsive.as_ref().map_or(0.0, |i| 2.0 * ratio / i.dominant.omega);
+    let delay = after(case.damping.impulsive);
     Some(Setup {
         thorough: true,
         corrodes: case.tank.corrodes(),
         delay,
+        ground_damping: [options.ground_damping, after(options.ground_damping)],
         heave: options.heave,
         grounds: true,
         known: None,
         anchors: None,
         drawn: false,
         form: form(),
-        friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
+        assumed: foundation.is_none(),
+        friction: foundation.map_or(Some(FRICTION), |f| f.friction).map(|coefficient| Friction {
             coefficient,
             weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
             vertical: vertical.iter().map(|a| a / STANDARD_GRAVITY).collect(),

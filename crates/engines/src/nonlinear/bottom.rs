@@ -28,7 +28,7 @@ use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
 use fem::model::Builder;
 use nalgebra::Matrix3;
-use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
+use tank::{Behaviour, Bottom, Case, FRICTION, Layer, LayerKind};
 
 use super::arcs::shares;
 use super::cylinder::section::row;
@@ -44,8 +44,6 @@ pub(super) const BOTTOM: &str = "bottom";
 pub(super) const GROUND: &str = "ground";
 /// Group of what keeps the foot from sliding.
 pub(super) const KEY: &str = "key";
-/// Coefficient of friction that is not given: the largest of API 650 E.7.6.
-const FRICTION: f64 = 0.4;
 /// First ring inside the foot over the thickness of the plate.
 const FIRST: f64 = 2.0;
 /// Growth of the rings.
@@ -155,7 +153,7 @@ impl Plate {
             if *r > radius * (1.0 + 1e-9) { 0.0 } else { impulsive_pressure(case, radius, *r) }
         };
         Ok(Plate {
-            friction: case.tank.foundation.and_then(|f| f.friction).filter(|mu| *mu > 0.0).unwrap_or(FRICTION),
+            friction: case.tank.foundation.and_then(|f| f.friction).unwrap_or(FRICTION),
             impulsive: radii.iter().map(pressure).collect(),
             foot: outside,
             radii,

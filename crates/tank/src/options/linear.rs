@@ -272,6 +272,9 @@ pub struct LinearOptions {
     /// Inertia of wall and roof that the foot of an unanchored cylinder lifts; none without it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heave: Option<Heave>,
+    /// Damping of the ground under the rim of an unanchored cylinder, of critical at its impulsive mode while the rim is in contact.
+    #[serde(default)]
+    pub ground_damping: f64,
     /// Response-spectrum method.
     pub spectrum: SpectrumOptions,
     /// Transfer functions; none without them.
@@ -303,6 +306,7 @@ impl LinearOptions {
         snapshots: Vec::new(),
         tilt: None,
         heave: None,
+        ground_damping: 0.02,
         spectrum: SpectrumOptions::DEFAULT,
         frequency: None,
     };

@@ -15,6 +15,9 @@ words! {
     }
 }
 
+/// Coefficient of friction under a bottom plate whose file gives none: the largest of API 650 E.7.6.
+pub const FRICTION: f64 = 0.4;
+
 /// Foundation and the soil below it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Foundation {
@@ -36,7 +39,7 @@ pub struct Foundation {
     /// Width of a ring wall, or of the compacted pad under the shell, on the ground [m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
-    /// Coefficient of friction between the bottom plate and the ground.
+    /// Coefficient of friction between the bottom plate and the ground; none where it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
 }

@@ -3,7 +3,7 @@
 use ::base::{Plate, Soil, subgrade_modulus};
 use files::code::Code;
 use tank::units::{Dimension, display};
-use tank::{Anchors, FoundationKind, Joint, SIZE, Shape, ShellSupport, Support};
+use tank::{Anchors, FRICTION, FoundationKind, Joint, SIZE, Shape, ShellSupport, Support};
 
 use super::corrosion::{Common, loss};
 use super::details::Connections;
@@ -83,8 +83,10 @@ object! {
             = without("the pressure under a ring wall is not checked, API 650 E.6.2.3, EN 1998-5:2004 5.4.1.1"),
         /// What lies between the plate under the shell and a foundation of concrete.
         shell_support ("grouted"): Opt<ShellSupport> = Absent::Follows("not known; API 650 E.7.9 stays open"),
-        /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
-        friction (0.4): Opt<Number> [Limits::from(1e-3).to(2.0).usual(0.2, 0.8)] = without("the tank does not slide in the time history"),
+        /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value. `0` leaves friction
+        /// out: in the time history the tank does not slide, and its bottom plate does not give way along the ground.
+        friction (0.4): Opt<Number> [Limits::from(0.0).to(2.0).usual(0.2, 0.8)] = default(Number(FRICTION))
+            .because("the largest of API 650 E.7.6; of an unanchored tank, also without tank.foundation"),
     }
 }
 
@@ -140,8 +142,8 @@ pub(super) fn base(
     if let (Some(given), Some(plate), Some(Shape::Cylinder { radius })) = (given_bottom.value(), &bottom, above.shape) {
         wider_than_the_tank(r, given, plate, radius);
     }
-    let foundation =
-        (given_foundation.value()).and_then(|given| foundation(r, given, given_bottom.value(), above.isolated));
+    let kind = [above.isolated, above.support == Some(Support::Unanchored)];
+    let foundation = (given_foundation.value()).and_then(|given| foundation(r, given, given_bottom.value(), kind));
     if let (Some(given), Some(ground), Some(plate)) = (given_foundation.value(), &foundation, &bottom) {
         ground_of_waves(r, given, ground, plate);
     }
@@ -299,14 +301,30 @@ fn ground_of_waves(r: &mut Resolver<'_>, given: &Foundation, ground: &tank::Foun
     }
 }
 
+/// Least coefficient of friction that is not left out.
+const LEAST: f64 = 1e-3;
+
+/// The coefficient of friction; none where it is left out, or not given of an anchored tank.
+fn friction(r: &mut Resolver<'_>, given: &Foundation, unanchored: bool) -> Option<f64> {
+    let mu = match &given.friction.given {
+        None if !unanchored => return None,
+        _ => r.or_default(&given.friction),
+    };
+    if let (Some(field), true) = (&given.friction.given, mu > 0.0 && mu < LEAST) {
+        let message = format!("{mu} is too small for a coefficient of friction");
+        r.refuse(Code::OutOfRange, field, &message, "at least 0.001, or 0 without friction");
+    }
+    (mu > 0.0).then_some(mu)
+}
+
 /// The foundation.
 ///
-/// * `isolated`: whether its slab stands on isolators
+/// * `isolated`: whether its slab stands on isolators; `unanchored`: whether the tank may slide
 fn foundation(
     r: &mut Resolver<'_>,
     given: &Foundation,
     bottom: Option<&Bottom>,
-    isolated: bool,
+    [isolated, unanchored]: [bool; 2],
 ) -> Option<tank::Foundation> {
     r.echo_given(&given.kind);
     let stiffness = r.optional(&given.stiffness);
@@ -329,7 +347,7 @@ fn foundation(
     let soil_density = r.or_default(&given.soil_density);
     let soil_poisson_ratio = r.or_default(&given.soil_poisson_ratio);
     let thickness = r.optional(&given.thickness);
-    let friction = r.optional(&given.friction);
+    let friction = friction(r, given, unanchored);
     // Assumed to be left out of a ring wall alone.
     let width = match (given.kind.value, &given.width.given) {
         (Some(FoundationKind::RingWall), _) | (_, Some(_)) => r.optional(&given.width),

@@ -67,6 +67,9 @@ object! {
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
         /// Inertia of wall and roof that the foot of an unanchored cylinder with `tank.bottom` lifts and drops as it rocks, by the harmonic engine.
         heave: Opt<Given<Heave>> = Absent::Without("the foot lifts wall and roof without inertia"),
+        /// Damping of the ground under the rim of an unanchored cylinder with `tank.bottom` while the rim is in contact, of critical at the impulsive mode
+        /// of the wall, besides what soil with shear waves radiates, by the harmonic engine.
+        ground_damping (0.05): Opt<Number> [Limits::from(0.0).to(0.5).usual(0.0, 0.2)] = default(Number(DEFAULT.ground_damping)),
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
         /// Deviations of a cylinder's wall from the perfect shape, which are added, in the three-dimensional and the nonlinear
@@ -142,6 +145,7 @@ pub(super) fn analysis(
         snapshots: instants(r, &given.snapshots),
         tilt: given.tilt.given.as_ref().and_then(|_| r.optional(&given.tilt)),
         heave: heave(r, &given.heave, tank),
+        ground_damping: r.or_default(&given.ground_damping),
         dashpots: given.damping.value().map_or_else(Vec::new, |d| dashpots(r, &d.dashpots, tank)),
         damping: match &given.damping.given {
             Some(damping) => damping_model(r, damping, ratios),

@@ -56,8 +56,8 @@ object! {
         /// (category H), and W_r of API 650 E.2.2 has none.
         live_load ("1 kPa"): Opt<Stress> [LOAD],
         /// What the roof does to the top edge of the wall of a cylinder, in the pushover, the solid and the nonlinear engine and in the modes that
-        /// oval the wall. A stiff wind girder on an open tank may count as round, any other is one of `tank.rings`. `base` and the lifting base
-        /// of the harmonic engine keep the edge round in either case.
+        /// oval the wall. A stiff wind girder on an open tank may count as round, any other is one of `tank.rings`. The foot of an unanchored cylinder
+        /// warps as the edge lets it, also in `base`, in the strips of the codes and in the lifting base of the harmonic engine.
         holds ("round"): Opt<RimSupport> = Absent::Follows("round under a cone or dome, free otherwise"),
         /// Height of the rim and seal of a floating roof, external or internal, above the level of the liquid; the freeboard is less by it.
         rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],

@@ -77,8 +77,13 @@ fn heave(setup: &Setup, base: &Base, rocking: &Rocking, law: &Law) -> Result<Opt
     Ok(Some(heave.damped(own + ground / stiffness)))
 }
 
+/// c_ψ of the closed ground: what it radiates and what its damping loses in proportion to its stiffness.
+pub(super) fn closed(setup: &Setup, base: &Base, law: &Law) -> f64 {
+    dashpot(setup, base) + setup.ground_damping[1] * law.initial()
+}
+
 /// c_ψ = π R³ ρ_s V_La B of the rim's strip on soil with shear waves; 0 without.
-pub(super) fn dashpot(setup: &Setup, base: &Base) -> f64 {
+fn dashpot(setup: &Setup, base: &Base) -> f64 {
     let Some((soil, velocity, density)) = setup.soil else { return 0.0 };
     let analogue = 3.4 * velocity / (std::f64::consts::PI * (1.0 - soil.poisson_ratio));
     let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);

@@ -143,7 +143,7 @@ pub(super) fn moved(
     let peaks = Peaks::of(base, states.turns.iter().copied(), &found.laws, history);
     let lifted_at = peaks.uplift.1;
     let lean = history.rotation[lifted_at];
-    let [around, lifted] = around(base, &found, &states.turns[lifted_at], lean);
+    let [around, lifted] = around(base, &found, (&states.turns[lifted_at], history.pressure[lifted_at]), lean);
     let highest = now(&states, history, lifted_at);
     let result = BaseRun {
         modulus: base.modulus,
@@ -218,11 +218,12 @@ fn backbone(found: &Found, largest: f64) -> Vec<[f64; 2]> {
     (0..=BACKBONE).map(point).collect()
 }
 
-/// Uplift of the rim [m] and width that is off the ground [m] over the angle [°] of a base that leans by `lean` [rad].
-fn around(base: &Base, found: &Found, turn: &Turn, lean: f64) -> [Vec<[f64; 2]>; 2] {
+/// Uplift of the rim [m] and width that is off the ground [m] over the angle [°] of a base that leans by `lean` [rad] under a bottom pressure [Pa].
+fn around(base: &Base, found: &Found, (turn, pressure): (&Turn, f64), lean: f64) -> [Vec<[f64; 2]>; 2] {
     let degrees = (0..=72).map(|i| 5.0 * f64::from(i));
     let uplifts: Vec<[f64; 2]> = degrees.map(|at| [at, turn.rim_at(base.radius, lean, at.to_radians())]).collect();
-    let width = |[at, w]: &[f64; 2]| [*at, found.laws.rocking.curve().at(*w).lifted_width];
+    // The pressure is that at θ = 0 over that at rest.
+    let width = |[at, w]: &[f64; 2]| [*at, found.laws.rocking.lifted_width(*w, at.to_radians().cos(), -pressure)];
     let widths = uplifts.iter().map(width).collect();
     [uplifts, widths]
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::law::{dashpot, laws};
+use super::law::{closed as closed_ground, laws};
 use super::peaks::{Peaks, turns};
 use super::setup::{Laws, Missed, Setup, between};
 use ::base::history::{Friction, History, March, Run, march};
@@ -175,7 +175,7 @@ fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -
 /// Errors: no equilibrium of a step.
 pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, BaseError> {
     let law = &laws.law;
-    let dashpot = dashpot(setup, base);
+    let dashpot = closed_ground(setup, base, law);
     let run = |share: f64| searched(setup, laws, share, dashpot).map(|march| turned(march.rotation()));
     let elastic = || if base.yields() { run(0.0) } else { Ok(0.0) };
     let (widest, elastic) = rayon::join(|| run(1.0), elastic);
@@ -228,13 +228,13 @@ pub(super) fn closed(setup: &Setup, base: &Base, known: (f64, Option<Arc<Laws>>)
 
 /// The run without twins.
 fn covered(setup: &Setup, base: &Base, (reach, known): (f64, Option<Arc<Laws>>), whole: bool) -> Result<Found, Missed> {
-    let dashpot = dashpot(setup, base);
     let mut found = match known {
         Some(known) => known,
         None => laws(setup, base, reach)?,
     };
     loop {
         let largest = found.law.largest();
+        let dashpot = closed_ground(setup, base, &found.law);
         let Round { share: hysteretic, mut march, mut peak, off } = consistent(setup, base, &found, dashpot)?;
         if whole && peak <= largest {
             march.to(setup.ground.len())?;

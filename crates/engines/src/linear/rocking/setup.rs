@@ -32,8 +32,12 @@ pub(super) struct Setup {
     pub heave: Option<AskedHeave>,
     /// Damping over stiffness of plate and ground, as that of the wall at its impulsive mode [s].
     pub delay: f64,
+    /// Damping of the closed ground, of critical, and over its stiffness [s].
+    pub ground_damping: [f64; 2],
     /// Friction.
     pub friction: Option<Friction>,
+    /// Whether its coefficient is assumed, as nothing is given of the foundation.
+    pub assumed: bool,
     /// Soil with the velocity of its shear waves [m/s] and its density [kg/m³].
     pub soil: Option<(Soil, f64, f64)>,
     /// Ground acceleration at each step [m/s²].

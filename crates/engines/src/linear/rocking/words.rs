@@ -169,12 +169,30 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     }
     list.extend(joint(base, found));
     list.push(held(setup, found));
-    list.push(if found.dashpot > 0.0 {
+    if let Some(friction) = setup.friction.as_ref().filter(|_| setup.assumed) {
+        list.push(format!(
+            "`tank.foundation.friction` is not given: {} is assumed.",
+            significant(friction.coefficient, 3)
+        ));
+    }
+    list.push(ground(setup.ground_damping[0]));
+    list.push(if setup.soil.is_some() {
         "The soil under the rim radiates energy where it is in contact.".into()
     } else {
         "The soil radiates no energy: `tank.foundation.shear_wave_velocity` is not given.".into()
     });
     list
+}
+
+/// What the closed ground loses.
+fn ground(ratio: f64) -> String {
+    if ratio == 0.0 {
+        return "`analysis.ground_damping` is 0: the ground under the rim loses no energy.".into();
+    }
+    format!(
+        "The ground under the rim has {} % of critical damping at the impulsive mode while it is in contact, and none off it (`analysis.ground_damping`).",
+        significant(100.0 * ratio, 2)
+    )
 }
 
 /// What the joint of plate and wall loses.
@@ -213,7 +231,7 @@ fn held(setup: &Setup, found: &Found) -> String {
         );
     }
     let Some(friction) = &setup.friction else {
-        return "Without `tank.foundation.friction` the tank does not slide, and the bottom plate does not give way along the ground.".into();
+        return "`tank.foundation.friction` is 0: the tank does not slide, and the bottom plate does not give way along the ground.".into();
     };
     format!(
         "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight. The foot of the wall drags the \

@@ -150,7 +150,7 @@ fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase
 
 /// Whether friction caps the base shear, which then is no demand on friction; with vertical motion wherever there is friction.
 fn slid(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> bool {
-    let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
+    let friction = case.tank.foundation.map_or(Some(tank::FRICTION), |f| f.friction);
     let (Some(mu), true) = (friction, tank.standing.as_ref().is_some_and(|s| s.slides())) else { return false };
     let vertical = case.ground_motion.as_ref().is_some_and(|motion| motion.vertical.is_some());
     let weight = (case.liquid_mass() + case.tank.mass_above(0.0).0) * case.gravity;

@@ -17,7 +17,7 @@ use fem::element::shell::load::NodalLoads;
 use fem::element::wall::place::{PlacedWall, WallMesh};
 use fem::model::Builder;
 use tank::options::nonlinear::{Contact, NonlinearOptions};
-use tank::{Case, LayerKind, Support};
+use tank::{Case, FRICTION, LayerKind, Support};
 
 use super::floor::{LiquidFloor, Share};
 use crate::FeError;
@@ -61,7 +61,7 @@ pub(super) enum Holds {
 
 /// Whether the tank of a case may slide in the nonlinear history: with a coefficient of friction and without anchors.
 pub(super) fn slides(case: &Case) -> bool {
-    let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
+    let friction = case.tank.foundation.map_or(Some(FRICTION), |f| f.friction);
     case.tank.support == Support::Unanchored && friction.is_some_and(|mu| mu > 0.0)
 }
 

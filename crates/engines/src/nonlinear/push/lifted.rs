@@ -46,12 +46,18 @@ pub(super) fn base(
     }
     let rim = rim(plan, model, state);
     let toe_reaction = toe / (plan.radius * shares(angles)[0] * plate.base.wall_thickness());
-    let width = bottom.rings[plate.foot..]
+    let inwards: Vec<(f64, f64)> = bottom.rings[plate.foot..]
         .iter()
         .zip(&plate.radii[plate.foot..])
-        .take_while(|(ring, _)| up(ring[last]) > 0.0)
-        .last()
-        .map_or(0.0, |(_, r)| plate.radii[plate.foot] - r);
+        .map(|(ring, r)| (plate.radii[plate.foot] - r, up(ring[last])))
+        .collect();
+    let off = inwards.iter().take_while(|(_, w)| *w > 0.0).count();
+    let width = match (off.checked_sub(1).map(|i| inwards[i]), inwards.get(off)) {
+        // Straight to where it meets the ground.
+        (Some((x, w)), Some((next, sunk))) => x + (next - x) * w / (w - sunk),
+        (Some((x, _)), None) => x,
+        (None, _) => 0.0,
+    };
     let wall = model.cells.iter().zip(model.levels.windows(2)).filter_map(|(row, z)| {
         let soft = bottom::hinge::wall_bending(&plan.case.tank, 0.5 * (z[0] + z[1]));
         Some((*row.last()?, soft))
