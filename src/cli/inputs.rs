@@ -23,7 +23,7 @@ use results::{InputValue, SourceFile};
 pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
-    /// Horizontal ground acceleration, in a format of docs/records.md; FILE#CHANNEL takes a channel of a file with several. Three or more make a set (`compare`).
+    /// Horizontal ground acceleration, in a format of docs/records.md; FILE#CHANNEL takes a channel of a file with several; `harmonic:amplitude=0.1g,period=1.3,cycles=10` is a burst without a file (or frequency, duration, ramp, dt; amplitude=5mm is a displacement). Three or more make a set (`compare`).
     #[arg(long, value_name = "RECORD")]
     pub quake: Vec<PathBuf>,
     /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder or of a box with --fe solid; scaled with the factor of --quake.
@@ -242,6 +242,10 @@ impl Reading {
 
 /// A file with its hash.
 pub(crate) fn source(role: &str, path: &std::path::Path, sha256: &str) -> SourceFile {
-    let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
+    let whole = || path.display().to_string();
+    let name = match path.file_name() {
+        Some(name) if !records::Harmonic::is(path) => name.to_string_lossy().into_owned(),
+        _ => whole(),
+    };
     SourceFile { role: role.into(), name, sha256: sha256.into() }
 }

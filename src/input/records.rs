@@ -13,6 +13,7 @@
 //! | `afad`, `cwa`, `unam` | stations of Turkey, Taiwan and Mexico; `keyed` is what they share |
 //! | `bhrc` | BHRC, Iran |
 //! | `sac` | SAC, binary and alphanumeric |
+//! | `harmonic` | no file: harmonic motion by its numbers |
 //! | [`foreign`] | formats that are recognised but not supported |
 //! | `process` | scaling, time stretching, resampling |
 //!
@@ -32,12 +33,13 @@ mod esm;
 mod filter;
 pub mod foreign;
 mod geonet;
+mod harmonic;
 mod head;
 mod header;
 mod keyed;
 mod knet;
 mod leading;
-mod load;
+pub(crate) mod load;
 mod number;
 mod options;
 pub mod plausible;
@@ -60,17 +62,25 @@ use files::code::Code;
 use files::error::Error;
 
 pub use columns::LOW_CUT;
+pub use harmonic::Harmonic;
 pub use options::{
     Columns, MAX_BYTES, MAX_PEAK, MAX_PLAUSIBLE, MAX_SAMPLES, MIN_PEAK, Processing, ReadOptions, ReadRecord,
 };
 pub use process::process;
 pub use unit::AccelerationUnit;
 
-/// Reads an accelerogram (`-` reads standard input). `FILE#CHANNEL` is a channel of a file, in place of that of the options.
+/// Reads an accelerogram (`-` reads standard input). `FILE#CHANNEL` is a channel of a file, in place of that of the options;
+/// `harmonic:KEY=VALUE,…` is no file, but harmonic motion.
 ///
 /// # Errors
 /// A file that cannot be read or is too large, and every fault of its contents, up to a limit all at once.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
+    if let Some(motion) = Harmonic::of(path)? {
+        let options = ReadOptions { allow_implausible: options.allow_implausible, ..ReadOptions::default() };
+        let mut read = read_bytes(motion.record()?.as_bytes(), path, &options)?;
+        read.record.name = printable(&path.to_string_lossy());
+        return Ok(read);
+    }
     let (file, channel) = located(path);
     let options = ReadOptions { channel: channel.or_else(|| options.channel.clone()), ..options.clone() };
     read_bytes(&load::load(&file)?, &file, &options)

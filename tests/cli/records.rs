@@ -249,3 +249,28 @@ fn channels_of_a_file_are_its_components() {
     let none = tankcheck(&["quake", "info", &of("4")]);
     assert!(none.status.code() == Some(2) && stderr(&none).contains("no such channel"), "{}", stderr(&none));
 }
+
+/// 0.1 g over ten periods of 2 s; and 5 mm, whose integrals from rest are X sin ωt within the third of a step of its pulse, 0.5 %.
+#[test]
+fn harmonic_motion_needs_no_file() {
+    let facts = |record: &str| -> serde_json::Value {
+        let run = tankcheck(&["quake", "info", record, "--format", "json"]);
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        serde_json::from_slice(&run.stdout).expect("JSON")
+    };
+    let number = |facts: &serde_json::Value, key: &str| facts[key].as_f64().expect("a number");
+    let burst = facts("harmonic:amplitude=0.1g,period=2,cycles=10");
+    assert!((number(&burst, "pga_g") - 0.1).abs() < 1e-9 && (number(&burst, "duration") - 20.0).abs() < 1e-9);
+    let moved = facts("harmonic:amplitude=5mm,frequency=0.5,duration=20");
+    assert!((number(&moved, "pgd") / 0.005 - 1.0).abs() < 0.02, "{}", number(&moved, "pgd"));
+    for (record, word) in [
+        ("harmonic:amplitude=0.1,period=2,cycles=10", "its unit"),
+        ("harmonic:amplitude=0.1g,cycles=10", "frequency or period"),
+        ("harmonic:amplitude=0.1g,period=2,cycles=10,pause=3", "pause=3"),
+        ("harmonic:amplitude=5mm,period=2,cycles=10,ramp=1", "--ramp"),
+    ] {
+        let run = tankcheck(&["compare", TANK, "--quake", record, "--out", "/nonexistent/out"]);
+        assert_eq!(run.status.code(), Some(2));
+        assert!(stderr(&run).contains(word), "{}", stderr(&run));
+    }
+}
