@@ -274,3 +274,29 @@ fn harmonic_motion_needs_no_file() {
         assert!(stderr(&run).contains(word), "{}", stderr(&run));
     }
 }
+
+#[test]
+fn a_rotation_is_refused_where_no_base_turns() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let good = file(home.path(), "good.csv", b"time_s,rotation_rad_s2\n0,0\n0.02,0.1\n0.04,0\n");
+    let bad = file(home.path(), "bad.csv", b"time_s,acceleration_m_s2\n0,0\n0.02,0.1\n0.04,0\n");
+    let drifts = file(home.path(), "drifts.csv", b"time_s,rotation_rad_s2\n0,0.1\n5,0.1\n10,0.1\n");
+    let unanchored = "examples/01_broad_tank/unanchored/tank.json";
+    let burst = "harmonic:amplitude=0.1g,period=2,cycles=5";
+    for (tank, path, more, word) in [
+        (TANK, &good, &["--fe", "solid"][..], "--fe harmonic"),
+        (TANK, &good, &["--integrator", "newmark"], "modal integration"),
+        (TANK, &good, &["--quake-y", QUAKE], "--quake-y"),
+        (unanchored, &good, &[], "unanchored"),
+        (TANK, &bad, &[], "time_s,rotation_rad_s2"),
+        (TANK, &drifts, &["--no-mesh-error"], "0.1 rad"),
+    ] {
+        let out = home.path().join("out");
+        let (path, out) = (path.to_str().expect("text"), out.to_str().expect("text"));
+        let mut arguments = vec!["compare", tank, "--quake", burst, "--quake-rotation", path, "--out", out];
+        arguments.extend(more);
+        let run = tankcheck(&arguments);
+        assert_eq!(run.status.code(), Some(2), "{word}: {}", stderr(&run));
+        assert!(stderr(&run).contains(word), "`{word}` is missing in: {}", stderr(&run));
+    }
+}

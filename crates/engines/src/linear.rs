@@ -63,6 +63,10 @@ const NO_DASHPOTS: &str =
 const TWO_STEPS: &str =
     "The records differ in their time step: the vertical one is linearised within the steps of the analysis.";
 
+/// Remark on a base that turns.
+const TURNS: &str = "The base turns (--quake-rotation): values are those relative to it, gravity acts across the tank as it leans, and the code \
+    procedures leave the rotation out.";
+
 /// The comparable values of a run.
 type Values = BTreeMap<Quantity, f64>;
 
@@ -429,6 +433,7 @@ fn remarks(case: &Case, options: &Options, linear: &Linear<'_>, motion: &GroundM
         (motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt), TWO_STEPS),
     ]));
     notes.extend(Around::notes(motion));
+    notes.extend(options.rotation.as_ref().map(|_| TURNS.to_owned()));
     notes.extend(linear.model.held().impulsive().and_then(|found| found.note()));
     notes
 }

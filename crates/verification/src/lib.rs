@@ -55,6 +55,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::mesh_error::BENCHMARK,
     &tanks::tilt::BENCHMARK,
     &tanks::transfer::BENCHMARK,
+    &tanks::turning::BENCHMARK,
     &tanks::mode_damping::BENCHMARK,
     &tanks::internal_forces::BENCHMARK,
     &tanks::rings::BENCHMARK,

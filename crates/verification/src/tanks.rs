@@ -25,6 +25,7 @@ pub mod solid_against_harmonic;
 pub(crate) mod solid_box;
 pub(crate) mod tilt;
 pub(crate) mod transfer;
+pub(crate) mod turning;
 
 /// The dissertation's g [m/s²].
 const G: f64 = 9.81;

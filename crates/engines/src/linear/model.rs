@@ -7,7 +7,7 @@ use tank::case::GroundMotion;
 
 use super::soil;
 use super::system::Harmonic;
-use super::turned::Turned;
+use super::turned::{self, Turned};
 use crate::damping::Damper;
 use crate::harmonic::{self, Places};
 use crate::modes::{CoupledMode, Kind};
@@ -76,7 +76,28 @@ impl Model {
         };
         let damper = damper.tuned(&horizontal.modes);
         let (horizontal, fixed) = soil::under(case, &damper, horizontal)?;
-        Ok(Model { whole: false, vertical, site, turned: None, damper, horizontal, fixed })
+        let model = Model { whole: false, vertical, site, turned: None, damper, horizontal, fixed };
+        match (&options.rotation, &case.ground_motion) {
+            (Some(rotation), Some(motion)) => model.driven(case, options, (motion, rotation)),
+            _ => Ok(model),
+        }
+    }
+
+    /// The model on a base that turns as a record says.
+    ///
+    /// Errors: a tank whose base is not turned; those of [`Turned::driven`].
+    fn driven(
+        self,
+        case: &Case,
+        options: &Options,
+        (motion, rotation): (&GroundMotion, &Record),
+    ) -> Result<Model, FeError> {
+        if let Some(reason) = turned::turns_no_base(case, options) {
+            return Err(FeError::Unsupported(format!("--quake-rotation: {reason}")));
+        }
+        let grid = self.grid(motion, Integrator::Modal)?;
+        let turned = Turned::driven(&self.horizontal, case, &grid, (&motion.horizontal, rotation))?;
+        Ok(Model { turned: Some(turned), ..self })
     }
 
     /// m = 1 on a fixed base.

@@ -36,6 +36,7 @@ use super::system::Harmonic;
 use crate::FeError;
 use crate::damping::Damper;
 
+pub(super) use extend::Rigid;
 pub(crate) use floor::Floor;
 use ground::Ground;
 use outcome::impulsive;

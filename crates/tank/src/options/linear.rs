@@ -1,5 +1,6 @@
 //! Options of the linear engine, which the three-dimensional one shares.
 
+use oscillator::record::Record;
 use serde::{Deserialize, Serialize};
 
 use super::frequency::FrequencyOptions;
@@ -280,6 +281,9 @@ pub struct LinearOptions {
     /// Transfer functions; none without them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frequency: Option<FrequencyOptions>,
+    /// Rotational acceleration of the base about y, positive where the top moves along x [rad/s²]; none without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotation: Option<Record>,
 }
 
 fn linear() -> LiquidModel {
@@ -309,6 +313,7 @@ impl LinearOptions {
         ground_damping: 0.02,
         spectrum: SpectrumOptions::DEFAULT,
         frequency: None,
+        rotation: None,
     };
 }
 

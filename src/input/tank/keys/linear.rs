@@ -156,6 +156,7 @@ pub(super) fn analysis(
         },
         spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
         frequency: frequency(r, &given.frequency),
+        rotation: None,
     }
 }
 

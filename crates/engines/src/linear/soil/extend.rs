@@ -46,9 +46,19 @@ pub(crate) struct Rigid {
 impl Rigid {
     /// Rigid motion of a coupled system of harmonic 1; `None` without the row of the overturning moment.
     pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
+        Rigid::on(coupled, case, [slab.thickness, slab.mass(), slab.inertia()])
+    }
+
+    /// The same without a slab, about the bottom plate.
+    pub(crate) fn of_tank(coupled: &Coupled, case: &Case) -> Option<Rigid> {
+        Rigid::on(coupled, case, [0.0; 3])
+    }
+
+    /// On a slab of this thickness, mass and moment of inertia.
+    fn on(coupled: &Coupled, case: &Case, [t, own_mass, own_inertia]: [f64; 3]) -> Option<Rigid> {
         let floor = Floor::of(case)?;
         let below = coupled.probe(Channel::OverturningMoment)?;
-        let (row, arm, t) = (&below.absolute_acceleration, &coupled.moment_arm, slab.thickness);
+        let (row, arm) = (&below.absolute_acceleration, &coupled.moment_arm);
         let wall = coupled.mass.times(arm);
         let shear = coupled.mass.times(&coupled.influence);
         let mass = coupled.liquid_mass + coupled.wall_mass;
@@ -59,9 +69,9 @@ impl Rigid {
         Some(Rigid {
             moment: row.iter().zip(&shear).map(|(m, v)| m + t * v).collect(),
             turn: arm.iter().zip(&coupled.influence).map(|(a, i)| a + t * i).collect(),
-            mass: mass + slab.mass(),
-            first: first + t * mass + 0.5 * t * slab.mass(),
-            second: second + 2.0 * t * first + t * t * mass + slab.inertia(),
+            mass: mass + own_mass,
+            first: first + t * mass + 0.5 * t * own_mass,
+            second: second + 2.0 * t * first + t * t * mass + own_inertia,
             own: [mass, first, second, on_wall],
             thickness: t,
             floor,
@@ -69,7 +79,7 @@ impl Rigid {
     }
 
     /// What a probe shows of a unit rotation about the underside: its row on the rotating wall and what the floor adds.
-    fn turned(&self, probe: &Probe, z: Option<f64>, coupled: &Coupled) -> f64 {
+    pub(crate) fn turned(&self, probe: &Probe, z: Option<f64>, coupled: &Coupled) -> f64 {
         let on = |x: &[f64]| match probe.absolute_acceleration.is_empty() {
             true => 0.0,
             false => dot(&probe.absolute_acceleration, x),
