@@ -348,6 +348,11 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
                 "--liquid nonlinear: there is no liquid without an engine\n  help: remove --fe none",
             ));
         }
+        if job.case.ground_motion.is_none() {
+            return Err(Error::conflict(
+                "--liquid nonlinear: its waves are those of a record\n  help: add --quake FILE",
+            ));
+        }
     }
     if args.vtu.is_some() && job.engines.is_empty() {
         return Err(Error::conflict("--vtu: there is nothing to draw without an engine\n  help: remove --fe none"));

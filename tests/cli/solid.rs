@@ -46,6 +46,7 @@ fn options_of_the_other_engine_are_refused() {
     for command in [
         &["compare", TANK, "--quake", QUAKE, "--fe", "solid", "--liquid", "nonlinear"][..],
         &["compare", TANK, "--quake", QUAKE, "--fe", "none", "--liquid", "nonlinear"],
+        &["compare", TANK, "--liquid", "nonlinear"],
         &["modes", TANK, "--liquid", "nonlinear"],
     ] {
         let run = tankcheck(command);
