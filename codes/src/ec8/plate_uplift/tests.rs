@@ -8,7 +8,7 @@ use super::super::En2006;
 use super::super::example::{check, line, oil_tank, site, steel};
 use crate::Procedure;
 use crate::samples::{bottom_plate, close};
-use tank::Support;
+use tank::{RimSupport, Support};
 use tank::assessment::{Assessment, CheckStatus, Excitation};
 use tank::case::{Case, Ec8Site};
 
@@ -18,6 +18,8 @@ use tank::case::{Case, Ec8Site};
 fn unanchored(ag: f64) -> Case {
     let mut case = oil_tank();
     case.tank.support = Support::Unanchored;
+    // The widths below are those of strips that lift as a plane foot does.
+    case.tank.roof.holds = RimSupport::Round;
     case.tank.bottom = Some(bottom_plate(steel()));
     case.site.ec8 = Some(Ec8Site { ag: ag * 9.81, ..site() });
     case

@@ -23,6 +23,8 @@ fn oil(roof: f64, stiffness: f64, peak: f64) -> Case {
     );
     let steel = Material { yield_strength: Some(205e6), ..case.tank.courses[0].material.clone() };
     case.tank.roof.mass = roof;
+    // What is asked of the march here is asked of a foot that hardly warps, as on anchors.
+    case.tank.roof.holds = tank::RimSupport::Round;
     test_tanks::on_ground(&mut case, 0.01, steel, stiffness);
     // Bursts of waves that swell and fade, near the period of the wall.
     let dt = 0.01;
@@ -451,10 +453,7 @@ fn anchors_hold_a_base_down() {
         _ => panic!("the base does not move"),
     };
     let [weak, strong] = [20e3, 80e3].map(|force| uplift(anchored(2.0, Some(60e6), force)));
-    // On anchors the foot stays plane, as under a round rim.
-    let mut round = oil(25e3, 1e9, 2.0);
-    round.tank.roof.holds = tank::RimSupport::Round;
-    let without = uplift(round);
+    let without = uplift(oil(25e3, 1e9, 2.0));
     // Anchors that yield take energy out, so that weak ones may lift less than strong ones.
     assert!(strong < without && weak < without, "{strong} {weak} {without}");
 }
