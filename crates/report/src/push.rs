@@ -238,8 +238,8 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
 /// The foot of an unanchored tank around half of the circumference, beside that of the strips.
 fn foot_figure(number: usize, shell: &PushShell, gravity: f64) -> Result<Figure, Error> {
     let shown = || shell.feet.iter().flat_map(|foot| foot.w.iter().chain(&foot.strips));
-    let x = Axis::exact("angle from the toe [°]", Dimension::Dimensionless, (0.0, 180.0), 6);
-    let y = Axis::linear("uplift of the foot", Dimension::Length, zero_and(shown().copied()), 6);
+    let x = Axis::exact(words::FOOT_AXES[0], Dimension::Dimensionless, (0.0, 180.0), 6);
+    let y = Axis::linear(words::FOOT_AXES[1], Dimension::Length, zero_and(shown().copied()), 6);
     let mut chart = Chart::new(HALF, x, y);
     let mut table = Table::new(columns!["State", "Angle" => "°", "Uplift", words::OF_STRIPS]);
     let classes = [("k-static", "k-static"), ("k-fe", "k-s2"), ("k-s3", "k-s4")];

@@ -8,9 +8,9 @@ use super::super::En2006;
 use super::super::example::{check, line, oil_tank, site, steel};
 use crate::Procedure;
 use crate::samples::{bottom_plate, close};
-use tank::{RimSupport, Support};
 use tank::assessment::{Assessment, CheckStatus, Excitation};
 use tank::case::{Case, Ec8Site};
+use tank::{RimSupport, Support};
 
 /// The oil tank without anchors on a bottom of 10 mm.
 ///

@@ -175,6 +175,14 @@ impl Drawn<'_> {
 
     fn state(&self, time: f64, moment: &Moment<'_>, mesh: &Mesh, rows: &Rows) -> Snapshot {
         let rigid = self.rigid(time, moment, rows);
+        let now = self.bottom.map(|bottom| bottom.at(time));
+        // The waves of a foot that warps; the ovalling that goes with them above is not drawn.
+        let warped = |[c, s]: [f64; 2]| {
+            now.as_ref().map_or(0.0, |now| {
+                let radius = self.case.tank.shape.half_length();
+                now.turn.rim_at(radius, now.rotation, s.atan2(c)) - (now.turn.centre - now.rotation * radius * c)
+            })
+        };
         let displacement = mesh.spots.iter().zip(&mesh.nodes).map(|(spot, place)| {
             let base = rigid.at(*place);
             match *spot {
@@ -182,7 +190,8 @@ impl Drawn<'_> {
                     let [w, v, u] = rows.levels[level];
                     let (out, around) = (moment.even(w, at), moment.odd(v, at));
                     let [c, s] = at;
-                    [out * c - around * s + base[0], out * s + around * c + base[1], moment.even(u, at) + base[2]]
+                    let up = moment.even(u, at) + base[2] + warped(at);
+                    [out * c - around * s + base[0], out * s + around * c + base[1], up]
                 }
                 Spot::Surface { ring, at } => [base[0], base[1], moment.even(rows.rings[ring], at)],
                 Spot::Rigid => base,

@@ -23,6 +23,7 @@ mod residual;
 #[cfg(test)]
 mod tests;
 mod twin;
+mod under;
 mod words;
 
 use std::f64::consts::PI;
@@ -32,30 +33,17 @@ use ::soil::disc::{Disc, Soil};
 use ::soil::layered::{Embedded, Layer};
 use tank::{Case, FoundationKind, Shape, Subsoil, Support};
 
-use super::system::Harmonic;
 use crate::FeError;
-use crate::damping::Damper;
 
 pub(super) use extend::Rigid;
 pub(crate) use floor::Floor;
-use ground::Ground;
-use outcome::impulsive;
 pub(super) use outcome::outcome;
 pub use twin::slab_body;
+pub(crate) use under::under;
 pub(crate) use words::note;
 
 /// Density of reinforced concrete [kg/m³], EN 1991-1-1:2002 table A.1.
 const CONCRETE: f64 = 2500.0;
-
-/// The system of m = 1 on its slab, and that on a fixed base, where there is soil under the slab.
-///
-/// Errors: as [`Slab::of`], [`Ground::of`] and [`extend::on_soil`].
-pub(crate) fn under(case: &Case, damper: &Damper, held: Harmonic) -> Result<(Harmonic, Option<Harmonic>), FeError> {
-    let Some(slab) = Slab::of(case)? else { return Ok((held, None)) };
-    let ground = Ground::of(&slab, impulsive(case, &held, damper, &slab))?;
-    let (coupled, modes) = extend::on_soil((&held.coupled, &held.modes), case, damper, (&slab, &ground))?;
-    Ok((Harmonic { coupled, modes }, Some(held)))
-}
 
 /// A slab on soil.
 #[derive(Clone, Debug, PartialEq)]

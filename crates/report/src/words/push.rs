@@ -14,6 +14,9 @@ pub const PARTS: [(&str, &str); 4] = [
     ("pictures", "Path, buckle and yielding"),
 ];
 
+/// Axes of the figure of the foot.
+pub const FOOT_AXES: [&str; 2] = ["angle from the toe [°]", "uplift of the foot"];
+
 /// Heads of the table of capacities.
 pub mod heads {
     /// Angle of the buckle.

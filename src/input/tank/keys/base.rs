@@ -396,16 +396,12 @@ pub(super) fn subsoil(
     foundation: Option<&tank::Foundation>,
     moves: bool,
 ) -> tank::Subsoil {
-    let (Some(given), Some(foundation)) = (given, foundation) else { return tank::Subsoil::default() };
-    if !moves {
-        let allowed = "an anchored cylinder on \"kind\": \"slab\" with shear_wave_velocity, without isolators";
-        r.inapplicable(&given.soil_damping, "soil_damping is for a slab that moves on its soil", allowed);
-        r.inapplicable(&given.embedment, "embedment is for a slab that moves on its soil", allowed);
-        r.inapplicable(&given.soil_layers, "soil_layers are for a slab that moves on its soil", allowed);
-        return tank::Subsoil::default();
-    }
-    let damping = r.optional(&given.soil_damping).unwrap_or(0.0);
-    let embedment = r.optional(&given.embedment).unwrap_or(0.0);
+    let Some(given) = given else { return tank::Subsoil::default() };
+    // Under other tanks nothing is said of what is not given.
+    let mut number = |option: &Opt<Number>| (moves || option.given.is_some()).then(|| r.optional(option)).flatten();
+    let damping = number(&given.soil_damping).unwrap_or(0.0);
+    let said = moves || given.embedment.given.is_some();
+    let embedment = said.then(|| r.optional(&given.embedment)).flatten().unwrap_or(0.0);
     let mut layers = Vec::new();
     if let Some(field) = &given.soil_layers.given {
         r.at_most(field, "layers of soil");
@@ -413,11 +409,21 @@ pub(super) fn subsoil(
             layers.push(tank::SoilLayer {
                 thickness: r.number(&one.thickness),
                 shear_wave_velocity: r.number(&one.shear_wave_velocity),
-                density: r.optional(&one.density).unwrap_or(foundation.soil_density),
-                poisson_ratio: r.optional(&one.poisson_ratio).unwrap_or(foundation.soil_poisson_ratio),
+                density: r.optional(&one.density).or(foundation.map(|f| f.soil_density)).unwrap_or(f64::NAN),
+                poisson_ratio: r
+                    .optional(&one.poisson_ratio)
+                    .or(foundation.map(|f| f.soil_poisson_ratio))
+                    .unwrap_or(f64::NAN),
                 damping: r.optional(&one.damping).unwrap_or(damping),
             });
         }
+    }
+    if !moves {
+        let allowed = "an anchored cylinder on \"kind\": \"slab\" with shear_wave_velocity, without isolators";
+        r.inapplicable(&given.soil_damping, "soil_damping is for a slab that moves on its soil", allowed);
+        r.inapplicable(&given.embedment, "embedment is for a slab that moves on its soil", allowed);
+        r.inapplicable(&given.soil_layers, "soil_layers are for a slab that moves on its soil", allowed);
+        return tank::Subsoil::default();
     }
     tank::Subsoil { damping, embedment, layers }
 }

@@ -215,7 +215,7 @@ fn energy_closes_and_the_step_does_not_matter() {
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
-    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, 0.0).unwrap().history();
+    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, found.dashpot).unwrap().history();
     for (coarse, fine) in [
         (peak(&found.history.rotation), peak(&half.rotation)),
         (peak(&found.history.shear), peak(&half.shear)),
@@ -231,7 +231,7 @@ fn energy_closes_and_the_step_does_not_matter() {
 fn energy_closes_on_hard_ground() {
     let ready = ready(oil(25e3, 1e10, 2.0));
     let base = Base::of(&ready.case).unwrap();
-    let setup = ready.setup(2);
+    let setup = ready.setup(4);
     let coarse = search::settle(&setup, &base, (search::FIRST, None), true).unwrap();
     let (fine, found) = search::closed(&setup, &base, (search::FIRST, None)).unwrap();
     assert!(coarse.history.balance > 1e-3, "{}", coarse.history.balance);

@@ -1,11 +1,9 @@
 //! What is reported of a run on soil.
 
 use ::soil::SoilError;
-use ::soil::body::Mode;
 use ::soil::chain::Chain;
 use ::soil::disc::Impedance;
 use ::soil::structure::{Effective, OnSoil, Structure};
-use fem::linalg::dot;
 use fem::progress::Silent;
 use results::part::{Amount, Block, Fact, Form, History, Message, Table};
 use results::{Channel, Finding, Part};
@@ -14,28 +12,13 @@ use tank::case::GroundMotion;
 use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
 
-use super::extend::Rigid;
 use super::ground::Ground;
+use super::under::impulsive;
 use super::{CONCRETE, Slab};
 use crate::FeError;
-use crate::damping::Damper;
 use crate::linear::analysis::{Analysis, LineExtremes, analyse};
 use crate::linear::model::Model;
-use crate::linear::system::Harmonic;
 use results::channel::OnWall;
-
-/// The impulsive mode as a structure of one mass, with the arm about the underside of the slab; `None` without such a mode.
-pub(crate) fn impulsive(case: &Case, held: &Harmonic, damper: &Damper, slab: &Slab) -> Option<Mode> {
-    let omega = held.impulsive()?.dominant.omega;
-    let mode = held.modes.iter().find(|mode| mode.omega == omega)?;
-    let rigid = Rigid::of(&held.coupled, case, slab)?;
-    Some(Mode {
-        omega,
-        damping: damper.of(mode),
-        translation: mode.participation,
-        rotation: dot(&mode.vector, &rigid.moment),
-    })
-}
 
 /// Effective period and damping by each definition, and those on a fixed base, as rows of their table.
 ///

@@ -12,8 +12,8 @@ use tank::{Case, Foundation, FoundationKind, Quantity, Shape, SoilLayer, Subsoil
 
 use super::Slab;
 use super::extend::Rigid;
-use super::outcome::impulsive;
 use super::twin::body;
+use super::under::impulsive;
 use crate::harmonic::{Places, test_tanks};
 use crate::linear::analysis::{Analysis, analyse};
 use crate::linear::model::Model;
