@@ -70,7 +70,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Compare codes and finite elements; write the verification report.
-    Compare(compare::Args),
+    Compare(Box<compare::Args>),
     /// Run the code procedures without finite elements.
     Check(check::Args),
     /// Run an incremental dynamic analysis: nonlinear runs at increasing scales of a record.
@@ -163,7 +163,7 @@ impl Cli {
     fn run(self) -> Result<u8, Error> {
         global::fixed_time()?;
         match self.command {
-            Command::Compare(args) => compare::run(args, &self.global),
+            Command::Compare(args) => compare::run(*args, &self.global),
             Command::Check(args) => check::run(args, &self.global),
             Command::Ida(args) => ida::run(args, &self.global),
             Command::Push(args) => push::run(args, &self.global),

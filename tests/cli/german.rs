@@ -104,7 +104,7 @@ fn put(document: &mut Value, path: &[String], value: Value) {
         return;
     };
     if key == "0" {
-        if !document.as_array().is_some_and(|items| !items.is_empty()) {
+        if document.as_array().is_none_or(|items| items.is_empty()) {
             *document = json!([{}]);
         }
         put(&mut document[0], rest, value);

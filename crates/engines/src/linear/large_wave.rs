@@ -152,8 +152,11 @@ struct Found<'a> {
     nonlinear: Marched,
 }
 
+/// A history, its quantity, and the part of the forces that it is.
+type Resultant = (Channel, Quantity, fn(&Forces) -> f64);
+
 /// Horizontal force and moments of the engine, which are those of the base on the tank, with the force of the liquid that has them.
-const RESULTANTS: [(Channel, Quantity, fn(&Forces) -> f64); 3] = [
+const RESULTANTS: [Resultant; 3] = [
     (Channel::BaseShear, Quantity::BaseShear, |f| -f.shear[0]),
     (Channel::BaseMoment, Quantity::BaseMoment, |f| -f.wall_moment[0]),
     (Channel::OverturningMoment, Quantity::OverturningMoment, |f| -f.moment[0]),

@@ -101,6 +101,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         if source.level != Level::Full && given.len() < 2 && ids.len() > 1 {
             continue;
         }
+        // The trough touches neither freeboard nor roof, and follows from the crest.
+        if source.level != Level::Full && row.quantity == Quantity::SloshingTrough.id() {
+            continue;
+        }
         let scale = Scale::of(row.dimension, cells.iter().flatten().map(|c| c.value));
         rows.push(Row {
             title: row.title.clone(),

@@ -418,6 +418,10 @@ pub(super) fn subsoil(
             });
         }
     }
+    // A foundation that is not known has a fault of its own.
+    if foundation.is_none() {
+        return tank::Subsoil::default();
+    }
     if !moves {
         let allowed = "an anchored cylinder on \"kind\": \"slab\" with shear_wave_velocity, without isolators";
         r.inapplicable(&given.soil_damping, "soil_damping is for a slab that moves on its soil", allowed);
