@@ -188,6 +188,12 @@ fn an_edit_of_another_window_is_not_lost() {
     assert_eq!(desk.text(), "{ \"name\": \"mine\" }\n");
     // A new file does not take the place of another; a file that a record has the name of is kept.
     assert_eq!(save("{}", &Value::Null).status, 409);
+    // A German page is refused in German, with all else that the answer has.
+    let old = json!({ "path": "tank.json", "text": "{}", "was": first["sha256"] }).to_string();
+    let heads = "Content-Type: application/json\r\nAccept-Language: de\r\n";
+    let german = desk.send("PUT", &format!("/{}/api/file", desk.token), heads, old.as_bytes()).json();
+    assert_eq!(german["error"]["message"], "`tank.json` wurde geändert, seit es geöffnet wurde");
+    assert_eq!(german["sha256"], mine.json()["sha256"]);
     let put = |name: &str, body: &[u8]| {
         desk.send("POST", &format!("/{}/api/upload?name={name}", desk.token), "", body).status
     };

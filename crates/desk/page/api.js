@@ -1,5 +1,8 @@
 // The server's answers. Addresses are relative to the page, which lies below the token.
 
+import { language } from './language.js';
+import { t } from './words.js';
+
 /** An answer other than 2xx, or none at all (`status` 0). */
 export class ApiError extends Error {
   constructor(message, { status = 0, help = null, body = null } = {}) {
@@ -51,7 +54,7 @@ export function createApi(events) {
 
   async function request(method, call, { query, body, raw, signal } = {}) {
     const address = `api/${call}${query ? `?${new URLSearchParams(query)}` : ''}`;
-    const headers = body === undefined ? {} : { 'Content-Type': 'application/json' };
+    const headers = { 'Accept-Language': language(), ...(body === undefined ? {} : { 'Content-Type': 'application/json' }) };
     let answer;
     let text;
     try {
@@ -62,7 +65,7 @@ export function createApi(events) {
     } catch (error) {
       if (error.name === 'AbortError') throw error;
       signalLost();
-      throw new ApiError('The desk does not answer.', { status: 0 });
+      throw new ApiError(t('desk-silent'), { status: 0 });
     }
     const value = parse(text);
     if (answer.ok) return value;

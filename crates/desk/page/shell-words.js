@@ -31,6 +31,7 @@ add({
   'with-record': ['The checks use the record {path}', 'Die Nachweise verwenden das Beben {path}'],
   'open-file': ['Open a tank file of {folder}', 'Tankdatei aus {folder} öffnen'],
   'not-yet': ['This room is not there yet.', 'Diesen Raum gibt es noch nicht.'],
+  'desk-silent': ['The desk does not answer.', 'Das Programm antwortet nicht.'],
   'lost': ['The desk does not answer: it was stopped, or the computer was asleep. Nothing that was saved is lost, and what is not saved stays in this window.',
     'Das Programm antwortet nicht: Es wurde beendet, oder der Rechner schlief. Gesichertes ist nicht verloren, Ungesichertes bleibt in diesem Fenster.'],
   'lost-other': ['The desk was started again at another address. Open the address that it printed; keep a copy of what is not saved first.',

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::Bytes;
-use axum::extract::{DefaultBodyLimit, Path, Query, State};
+use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
+use axum::middleware::Next;
 use axum::response::sse::{Event, Sse};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{delete, get, post};
@@ -44,6 +45,7 @@ pub(crate) struct Desk {
 pub(crate) type Own = State<Arc<Desk>>;
 
 /// A refusal as an answer.
+#[derive(Clone)]
 pub(crate) struct Fault(pub(crate) StatusCode, pub(crate) Value);
 
 impl Fault {
@@ -54,8 +56,26 @@ impl Fault {
 
 impl IntoResponse for Fault {
     fn into_response(self) -> Response {
-        (self.0, Json(self.1)).into_response()
+        let mut response = (self.0, Json(self.1.clone())).into_response();
+        response.extensions_mut().insert(self);
+        response
     }
+}
+
+/// Says a fault in German to a page that asks for it.
+async fn in_its_language(State(desk): Own, request: Request, next: Next) -> Response {
+    let german = request.headers().get(header::ACCEPT_LANGUAGE).is_some_and(|language| language == "de");
+    let mut response = next.run(request).await;
+    let Some(mut fault) = response.extensions_mut().remove::<Fault>().filter(|_| german) else {
+        return response;
+    };
+    for part in ["message", "help"] {
+        let text = &mut fault.1["error"][part];
+        if let Some(said) = text.as_str().and_then(|text| desk.office.german(text)) {
+            *text = said.into();
+        }
+    }
+    fault.into_response()
 }
 
 /// A place that is not in the folder.
@@ -91,7 +111,8 @@ pub(crate) fn router(desk: Arc<Desk>, token: &str, port: u16) -> Router {
         .route("/series", get(histories))
         .route("/scene", get(scene))
         .route("/result/{*path}", get(result))
-        .fallback(|| async { absent("address") });
+        .fallback(|| async { absent("address") })
+        .layer(middleware::from_fn_with_state(Arc::clone(&desk), in_its_language));
     let inner = Router::new().nest("/api", api).route("/{*path}", get(page)).route("/", get(start));
     Router::new()
         .route("/", get(closed))

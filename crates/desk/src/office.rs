@@ -21,6 +21,9 @@ pub trait Office: Send + Sync {
     ///
     /// * `from`: the file itself, from whose folder on they are found
     fn named(&self, from: &Path, text: &str) -> Vec<Named>;
+
+    /// The German of a refusal or its help; none where there is none.
+    fn german(&self, text: &str) -> Option<String>;
 }
 
 /// A file that another one names.

@@ -84,6 +84,10 @@ impl Office for Answers {
         let own = |found: Mention| Named { at: found.at, text: found.text, file: found.file };
         named(from, text).into_iter().map(own).collect()
     }
+
+    fn german(&self, text: &str) -> Option<String> {
+        language::of_input(text)
+    }
 }
 
 fn refused(error: &Error) -> Refused {
