@@ -71,7 +71,10 @@ fn measures(source: &Source) -> Table {
     add(labels::CUMULATIVE_VELOCITY, "m/s", &|r| significant(r.cav, 4));
     add("Significant duration D5–95", "s", &|r| significant(r.significant_duration, 4));
     add("Time step", "s", &|r| significant(r.dt, 4));
-    add("Samples", "", &|r| count(r.samples));
+    // Duration over step says the same.
+    if source.level == Level::Full {
+        add("Samples", "", &|r| count(r.samples));
+    }
     add("Duration", "s", &|r| fixed(r.dt * r.samples.saturating_sub(1) as f64, 2));
     if records.iter().any(|r| r.usable_period.is_some()) {
         add(words::record_set::heads::USABLE, "s", &|r| {

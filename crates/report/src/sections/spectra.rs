@@ -103,7 +103,7 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
         table.row(row);
     }
     Ok(chart
-        .with_plot_height(if source.level == Level::Full { 190.0 } else { 110.0 })
+        .with_plot_height(if source.level == Level::Full { 190.0 } else { 100.0 })
         .figure("spectrum_linear", words::LINEAR, table)?
         .captioned(words::LINEAR_CAPTION)
         .described(words::linear(end, curves.len())))
