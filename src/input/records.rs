@@ -70,7 +70,7 @@ pub use process::process;
 pub use unit::AccelerationUnit;
 
 /// Reads an accelerogram (`-` reads standard input). `FILE#CHANNEL` is a channel of a file, in place of that of the options;
-/// `harmonic:KEY=VALUE,…` is no file, but harmonic motion.
+/// `harmonic:KEY=VALUE,…` describes a harmonic motion instead of a file.
 ///
 /// # Errors
 /// A file that cannot be read or is too large, and every fault of its contents, up to a limit all at once.

@@ -4,29 +4,30 @@
 //! w(φ) = w₀ + ψ R cos φ + Σ U_n cos nφ          ∫ F(w) cos nφ dφ + π K_n U_n = 0        n = 2 … 12
 //! ```
 //!
-//! A wall that neither stretches nor shears follows its foot, which the plate keeps round, by ovalling: u = U cos nφ, v = n U z/R, w = −n² U z/R.
-//! The hoop force of the liquid, rings and the bending of the courses around resist that,
+//! The plate keeps the foot round. A wall that neither stretches nor shears follows a wave of its foot by ovalling: u = U cos nφ, v = n U z/R sin nφ,
+//! w = −n² U z/R cos nφ. Its stiffness comes from the hoop force of the liquid, from rings and from the bending of the courses:
 //!
 //! ```text
 //! K_n = n⁴ (n² − 1) ρ g H⁴/(12 R³) + n⁴ (n² − 1)²/R⁶ [Σ E I z² + ∫ D z² dz]
 //! ```
 //!
-//! per length of the circumference: ½ ∫ N_θ (n² − 1) w²/R² dz of the hoop force N_θ = ρ g (H − z) R that turns with the wall. The pressure of the motion
-//! −p_b p(z) cos φ takes from it on the lifted side and adds to it at the toe: with its membrane forces N_θ, N_zθ and N_z it couples neighbours n = m + 1,
+//! per length of the circumference. The first term is the work ½ ∫ N_θ (n² − 1) w²/R² dz of the hoop force N_θ = ρ g (H − z) R under a pressure that
+//! turns with the wall. The pressure of the motion, −p_b p(z) cos φ, lowers the hoop force on the lifted side and raises it at the toe. Its membrane forces
+//! N_θ, N_zθ and N_z couple neighbouring waves, n = m + 1:
 //!
 //! ```text
 //! K_nm = −p_b/(2 R) [c ∫ p z² dz/R² − ½ ∫ p dz]
 //! c = n′ m′ − ½ (n m + n² m²) + ½ (n′ m² − m′ n²) + ½ n m (n² + m² − 2)                    n′ = n³ − n
 //! ```
 //!
-//! from ½ N_θ (β² + u_φ²/R²) + ½ N_z (v_z² + w_z²) + N_zθ β w_z, β = (w_φ − v)/R, and the symmetric part of a pressure that turns with the wall. In series is
-//! the membrane between a foot and a rim that both stay round, without axial force at the rim, N_zθ constant and N_θ = 0,
+//! This is the work ½ N_θ (β² + u_φ²/R²) + ½ N_z (v_z² + w_z²) + N_zθ β w_z, β = (w_φ − v)/R, and the symmetric part of that of the pressure. The
+//! membrane between a foot and a rim that both stay round acts in series. Without axial force at the rim, with constant N_zθ and N_θ = 0:
 //!
 //! ```text
 //! 1/K = 1/K_n + R² [∫ dz/(G t) + n²/R² ∫ (L − z)² dz/(E t)]/(n L)²          L: height of the wall
 //! ```
 //!
-//! which alone is what a round rim leaves.
+//! Under a round rim only the membrane is left.
 
 use std::f64::consts::PI;
 
@@ -42,13 +43,13 @@ pub const WAVES: usize = 11;
 const UNKNOWNS: usize = WAVES + 1;
 /// Iterations of Newton's method at one rotation.
 const ITERATIONS: usize = 60;
-/// Residual at which they end, over the weight, and that which may be left where rounding hinders them.
+/// Residual over the weight at which the iteration ends, and the largest that is accepted where rounding stops it.
 const SETTLED: f64 = 1e-11;
 const ROUNDED: f64 = 1e-7;
-/// Smallest part of a step: the work of strips and wall is convex, so that some part lessens the residual.
+/// Smallest part of a Newton step: the work of strips and wall is convex, so that some part reduces the residual.
 const SHORTEST: f64 = 1e-3;
 
-/// What keeps the top edge of the wall round.
+/// Support that keeps the top edge of the wall round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Top {
     /// The roof or a stiff girder.
@@ -65,12 +66,12 @@ const TERMS: usize = 60;
 /// Stiffness between waves n = 2, 3, … [N/m²].
 type Matrix = [[f64; WAVES]; WAVES];
 
-/// What the wall has against the waves of its foot.
+/// Stiffness of the wall against waves of its foot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warping {
     /// K of a wall that ovals, without pressure of the motion [N/m²].
     free: [f64; WAVES],
-    /// What a suction p_b at the lifted side takes from it, between neighbours, per Pa.
+    /// Loss between neighbouring waves per Pa of suction p_b at the lifted side [N/m² per Pa].
     sucked: Matrix,
     /// 1/K of the membrane below a round rim [m²/N].
     held: [f64; WAVES],
@@ -78,12 +79,12 @@ pub struct Warping {
 }
 
 impl Warping {
-    /// That of a tank at its fill, `None` of one that is not a cylinder.
+    /// The wall of a tank at its fill; `None` where the tank is not a cylinder.
     pub fn of(case: &Case) -> Option<Warping> {
         Warping::built(case, false, case.gravity)
     }
 
-    /// * `net`: whether the courses are those less corrosion
+    /// * `net`: whether corrosion is deducted from the courses
     pub(crate) fn built(case: &Case, net: bool, gravity: f64) -> Option<Warping> {
         let tank = &case.tank;
         let Shape::Cylinder { radius } = tank.shape else { return None };
@@ -130,20 +131,20 @@ impl Warping {
         })
     }
 
-    /// K of n = 2, 3, … without pressure of the motion [N/m²].
+    /// K of n = 2, 3, … at rest [N/m²].
     pub fn stiffness(&self) -> [f64; WAVES] {
         let still = self.under(0.0);
         std::array::from_fn(|k| still[k][k])
     }
 
-    /// K with a bottom pressure that is lower by `suction` cos φ [Pa].
+    /// K under a bottom pressure that is lower by `suction` cos φ [Pa].
     fn under(&self, suction: f64) -> Matrix {
         let mut stiffness = [[0.0; WAVES]; WAVES];
         if self.top == Top::Round {
             (0..WAVES).for_each(|k| stiffness[k][k] = 1.0 / self.held[k]);
             return stiffness;
         }
-        // K = (1 + F H)⁻¹ F of the wall that ovals F and of the membrane H in series.
+        // Ovalling F and membrane H in series: K = (1 + F H)⁻¹ F.
         let mut left = [[0.0; WAVES]; WAVES];
         for i in 0..WAVES {
             for j in 0..WAVES {
@@ -165,7 +166,7 @@ impl Warping {
         stiffness
     }
 
-    /// What keeps the top edge round.
+    /// Support of the top edge.
     pub fn top(&self) -> Top {
         self.top
     }
@@ -192,7 +193,7 @@ fn moments(ratio: f64) -> [f64; 2] {
     sums.map(|sum| sum / foot)
 }
 
-/// I₁(x)/I₁′(x): power series, and from where they are large the first terms in 1/x.
+/// I₁(x)/I₁′(x): power series; beyond x = 50 the first terms in 1/x.
 fn bessel(x: f64) -> f64 {
     if x > 50.0 {
         return 1.0 + 0.5 / x;
@@ -207,19 +208,19 @@ fn bessel(x: f64) -> f64 {
     x * over_x / slope
 }
 
-/// A foot that warps, on any law of its rim.
+/// A foot that warps, for any law of its rim.
 pub(crate) struct Foot<'a> {
     /// Radius R [m].
     pub(crate) radius: f64,
     /// Weight w_t of wall and roof [N/m].
     pub(crate) weight: f64,
-    /// Wall.
+    /// Stiffness of the wall.
     pub(crate) warping: &'a Warping,
-    /// How much the bottom pressure at the lifted side is lower than at rest [Pa].
+    /// Pressure at rest less the bottom pressure at the lifted side [Pa].
     pub(crate) suction: f64,
     /// Panels of three Gauss points from the lifted side to the toe.
     pub(crate) panels: usize,
-    /// Pull on the wall [N/m] and its slope [N/m²] by the uplift [m] and the cosine of the angle from the lifted side.
+    /// Pull on the wall [N/m] and its slope [N/m²] as functions of the uplift [m] and of the cosine of the angle from the lifted side.
     pub(crate) hold: &'a dyn Fn(f64, f64) -> [f64; 2],
 }
 
@@ -235,9 +236,9 @@ struct Sums {
 }
 
 impl Foot<'_> {
-    /// The base at a rotation ψ [rad], found from a turn that is close to it.
+    /// The base at a rotation ψ [rad], starting from a turn close to it.
     ///
-    /// Errors: a rotation that moves the rim beyond the uplifts for which the law is known [m], or at which there is no equilibrium.
+    /// Errors: the rim leaves the range of uplifts of the law [m]; no equilibrium.
     pub(crate) fn at(&self, rotation: f64, start: &Turn, (from, to): (f64, f64)) -> Result<Turn, BaseError> {
         let mut unknowns = [start.centre; UNKNOWNS];
         unknowns[1..].copy_from_slice(&start.waves);
@@ -257,7 +258,7 @@ impl Foot<'_> {
         let rim = turn.around(self.radius);
         let lowest = rim.iter().copied().fold(f64::INFINITY, f64::min);
         let highest = rim.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        // The toe first: what is pressed too deep may also lift too far.
+        // The toe first: where it is pressed too deep, the lifted side may be out of range as well.
         for wanted in [lowest, highest] {
             if wanted < from || wanted > to {
                 return Err(BaseError::BeyondCurve { rotation, wanted, from, to });
@@ -271,7 +272,7 @@ impl Foot<'_> {
         Ok(turn)
     }
 
-    /// Force [N] and moment [N m] of the strips with the centre of the foot held at a place [m]; `waves` become those of the equilibrium there.
+    /// Force [N] and moment [N m] of the strips with the centre of the foot held at a height [m]; `waves` is updated to the equilibrium there.
     ///
     /// Errors: no equilibrium.
     pub(crate) fn held(&self, rotation: f64, centre: f64, waves: &mut [f64; WAVES]) -> Result<(f64, f64), BaseError> {
@@ -283,7 +284,7 @@ impl Foot<'_> {
         Ok((2.0 * self.radius * force, 2.0 * self.radius * self.radius * sums.moment))
     }
 
-    /// Newton's method on the unknowns but for the first `held`.
+    /// Newton's method on all unknowns except the first `held`.
     fn settle(&self, rotation: f64, unknowns: &mut [f64; UNKNOWNS], held: usize) -> Result<Sums, BaseError> {
         let reach = rotation * self.radius;
         let scale = PI * self.weight.abs().max(f64::MIN_POSITIVE);
@@ -296,7 +297,7 @@ impl Foot<'_> {
                 return Ok(found);
             }
             let step = solve(&found, held);
-            // A law that stiffens and softens: half of the step where the whole one does not help.
+            // The law stiffens and softens: the step is halved until the residual decreases.
             let mut share = 1.0;
             loop {
                 let next: [f64; UNKNOWNS] = std::array::from_fn(|i| unknowns[i] - share * step[i]);
@@ -363,7 +364,7 @@ impl Foot<'_> {
     }
 }
 
-/// The step that takes the forces on all unknowns but the first `held` to zero, by elimination of a positive definite system.
+/// The Newton step of all unknowns except the first `held`, by elimination without pivoting: the matrix is positive definite.
 fn solve(sums: &Sums, held: usize) -> [f64; UNKNOWNS] {
     let (mut a, mut b) = (sums.slope, sums.force);
     b[..held].fill(0.0);
@@ -384,167 +385,4 @@ fn solve(sums: &Sums, held: usize) -> [f64; UNKNOWNS] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::curve::Curve;
-    use crate::march::Point;
-    use crate::rocking::Rocking;
-
-    /// Springs F = c w: c below the ground and above it.
-    fn springs(slope: [f64; 2]) -> Rocking {
-        let point = |uplift: f64| Point {
-            uplift,
-            hold_down: slope[usize::from(uplift > 0.0)] * uplift,
-            axial_force: 0.0,
-            rim_moment: 0.0,
-            rotation: 0.0,
-            plastic_rotation: 0.0,
-            lifted_width: 0.0,
-        };
-        // The slope changes between the points next to the ground.
-        let points = [-1.0, -1e-5, 0.0, 1e-5, 1.0].map(point).to_vec();
-        Rocking::new(10.0, 1000.0, vec![(1e5, Curve::through(points))]).unwrap()
-    }
-
-    fn walled(slope: [f64; 2], stiffness: f64) -> Rocking {
-        // Round, so that the membrane is all there is.
-        let (free, sucked) = ([0.0; WAVES], [[0.0; WAVES]; WAVES]);
-        springs(slope).warping(Some(Warping { free, sucked, held: [1.0 / stiffness; WAVES], top: Top::Round }))
-    }
-
-    /// Of a broad tank p ∝ Σ (−1)^k/α² cos α ζ: sums of odd powers, λ(3) = 1.05180, λ(5) = 1.00452, over Catalan's constant 0.915966. That of a slender
-    /// one is even, 1 and 1/3.
-    #[test]
-    fn moments_of_the_impulsive_pressure() {
-        let near = |found: [f64; 2], wanted: [f64; 2], tolerance: f64| {
-            assert!(found.iter().zip(wanted).all(|(f, w)| (f / w - 1.0).abs() < tolerance), "{found:?} {wanted:?}");
-        };
-        let (catalan, three, five) = (0.915_966, 1.051_80, 1.004_52);
-        let alpha: f64 = 2.0 / PI;
-        let square = three * alpha.powi(3) - 2.0 * five * alpha.powi(5);
-        near(moments(30.0), [three * alpha / catalan, square / (catalan * alpha * alpha)], 0.005);
-        near(moments(0.02), [1.0, 1.0 / 3.0], 0.05);
-    }
-
-    /// Waves 2 and 3 under a hoop force N_θ, a shear N_zθ and an axial force N_z of a pressure that is even over the height, the work of second order
-    /// integrated over the wall; 1e-3 for the midpoints.
-    #[test]
-    fn a_pressure_with_the_cosine_couples_neighbours() {
-        let (radius, height, pressure) = (7.0, 4.0, 3e4);
-        let work = |u: [f64; 2]| {
-            let (parts, levels) = (720, 200);
-            let (dphi, dz) = (2.0 * PI / f64::from(parts), height / f64::from(levels));
-            let mut sum = 0.0;
-            for i in 0..parts {
-                let phi = (f64::from(i) + 0.5) * dphi;
-                for j in 0..levels {
-                    let z = (f64::from(j) + 0.5) * dz;
-                    // u, v, w and their derivatives of both waves.
-                    let mut f = [0.0; 8];
-                    for (n, u) in [2.0, 3.0].into_iter().zip(u) {
-                        let (s, c) = f64::sin_cos(n * phi);
-                        let own = [
-                            u * c,
-                            n * u * z / radius * s,
-                            -n * n * u * z / radius * c,
-                            -n * u * s,
-                            n * u / radius * s,
-                            -n * n * u / radius * c,
-                            n.powi(3) * u * z / radius * s,
-                            0.0,
-                        ];
-                        f.iter_mut().zip(own).for_each(|(f, own)| *f += own);
-                    }
-                    let [up, v, _, up_phi, v_z, w_z, w_phi, _] = f;
-                    let (p, rest) = (pressure * phi.cos(), height - z);
-                    let (hoop, shear, axial) = (
-                        radius * p,
-                        -phi.sin() * pressure * rest,
-                        -phi.cos() * pressure * rest * rest / (2.0 * radius),
-                    );
-                    let beta = (w_phi - v) / radius;
-                    let strain = 0.5 * hoop * (beta * beta + (up_phi / radius).powi(2))
-                        + 0.5 * axial * (v_z * v_z + w_z * w_z)
-                        + shear * beta * w_z;
-                    // The normal turns with the wall.
-                    let load = 0.5 * p * (-(w_phi - v) * v - radius * w_z * up) / radius;
-                    sum += (strain - load) * radius * dphi * dz;
-                }
-            }
-            sum
-        };
-        let both = work([1e-2, 1e-2]) - work([1e-2, 0.0]) - work([0.0, 1e-2]);
-        // ½ of π R K_nm U_n U_m twice.
-        let found = both / (PI * radius * 1e-4);
-        let steel = tank::reference::material(2e11, 0.3, 7850.0);
-        let mut case = tank::reference::case(Shape::Cylinder { radius }, &[(height, 0.01)], &steel, (1000.0, height));
-        case.tank.roof.holds = tank::RimSupport::Free;
-        let mut warping = Warping::of(&case).unwrap();
-        let own = warping.sucked[0][1];
-        // The pressure of this tank is not even.
-        let [level, square] = moments(radius / height).map(|m| m * height);
-        let c = 177.0;
-        let even = (c * height / 3.0 * (height / radius).powi(2) - 0.5 * height) / (2.0 * radius);
-        assert!((own / ((c * square * (height / radius).powi(2) - 0.5 * level) / (2.0 * radius)) - 1.0).abs() < 1e-12);
-        assert!((found / (pressure * even) - 1.0).abs() < 1e-3, "{found} {}", pressure * even);
-        warping.held = [0.0; WAVES];
-        assert_eq!(warping.under(1e4)[0][1], -1e4 * own);
-    }
-
-    #[test]
-    fn even_springs_do_not_warp() {
-        let turn = walled([1e6, 1e6], 1e3).at(1e-3, 0.0).unwrap();
-        assert!((turn.moment / (PI * 1e3 * 1e6 * 1e-3) - 1.0).abs() < 1e-6, "{turn:?}");
-        assert!(turn.waves.iter().all(|u| u.abs() < 1e-9), "{turn:?}");
-    }
-
-    /// A stiff wall stays plane; a soft one lifts farther and holds less. One that resists no wave leaves the force of a foot that is even all around,
-    /// F = −w_t + M/(πR²) cos φ: of springs that differ w = F/c on either side.
-    #[test]
-    fn a_stiff_wall_stays_plane_and_a_soft_one_spreads_the_force() {
-        let plane = springs([1e7, 1e6]).at(2e-3, 0.0).unwrap();
-        let stiff = walled([1e7, 1e6], 1e14).at(2e-3, 0.0).unwrap();
-        assert!((stiff.moment / plane.moment - 1.0).abs() < 1e-3 && (stiff.uplift / plane.uplift - 1.0).abs() < 1e-3);
-        assert!((stiff.lifted_angle - plane.lifted_angle).abs() < 2e-3, "{stiff:?} {plane:?}");
-        let soft = walled([1e7, 1e6], 1e5).at(2e-3, 0.0).unwrap();
-        assert!(soft.moment < plane.moment && soft.uplift > 1.02 * plane.uplift, "{soft:?} {plane:?}");
-        let none = walled([1e7, 1e6], 1.0).at(2e-3, 0.0).unwrap();
-        let force = none.moment / (PI * 100.0);
-        // Waves beyond the last one are missing where the springs change.
-        assert!((none.pull / (force - 1000.0) - 1.0).abs() < 0.03, "{none:?} {force}");
-        assert!((none.toe_force / (force + 1000.0) - 1.0).abs() < 0.03, "{none:?} {force}");
-    }
-
-    /// The moment is the derivative of the work of strips and wall by the rotation, whatever the waves do.
-    #[test]
-    fn the_moment_is_that_of_the_work() {
-        let rocking = walled([1e7, 1e6], 1e6);
-        let (n, width) = (720, PI / 720.0);
-        let work = |rotation: f64| {
-            let turn = rocking.at(rotation, 0.0).unwrap();
-            let strips: f64 = (0..n)
-                .map(|i| {
-                    let w = turn.rim(10.0, (f64::from(i) + 0.5) * width);
-                    0.5 * if w > 0.0 { 1e6 } else { 1e7 } * w * w + 1000.0 * w
-                })
-                .sum();
-            let wall: f64 = turn.waves.iter().map(|u| 0.5 * PI * 1e6 * u * u).sum();
-            10.0 * (2.0 * width * strips + wall)
-        };
-        let slope = (work(2.02e-3) - work(1.98e-3)) / 4e-5;
-        let moment = rocking.at(2e-3, 0.0).unwrap().moment;
-        assert!((slope / moment - 1.0).abs() < 1e-3, "{slope} {moment}");
-    }
-
-    /// With its centre held where it is in equilibrium a foot has the waves and the moment of that.
-    #[test]
-    fn a_foot_that_is_held_in_equilibrium() {
-        let rocking = walled([1e7, 1e6], 1e6);
-        let turn = rocking.at(2e-3, 0.0).unwrap();
-        let mut waves = [0.0; WAVES];
-        let (force, moment) = rocking.sums(24, (2e-3, turn.centre), 0.0, &mut waves).unwrap();
-        assert!((force / (-2.0 * PI * 10.0 * 1000.0) - 1.0).abs() < 1e-6, "{force}");
-        assert!((moment / turn.moment - 1.0).abs() < 1e-6, "{moment} {turn:?}");
-        assert!(waves.iter().zip(turn.waves).all(|(a, b)| (a - b).abs() < 1e-9), "{waves:?} {turn:?}");
-    }
-}
+mod tests;

@@ -45,7 +45,7 @@ fn fault(path: &Path, found: String) -> Error {
     Error::input(Code::OptionValue, text)
 }
 
-/// The rotation of a table; what was found where it is none.
+/// Reads the rotation of a table; the error says what was found instead.
 fn read(text: &str) -> Result<Record, String> {
     let mut lines = text.lines().enumerate().filter(|(_, line)| {
         let line = line.trim();
