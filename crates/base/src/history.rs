@@ -205,17 +205,20 @@ impl<'a> March<'a> {
         let rates = Rates::of(run, state, ground);
         if i > 0 {
             let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(before) + f(&rates));
+            let (turn, way) = (state.psi[0] - before.psi, state.slip[0] - before.slip);
+            // The work of a force over the step, not its mean power: contact opens and closes dashpots within a step.
+            let work = |f: fn(&Rates) -> f64, way: f64| 0.5 * (f(before) + f(&rates)) * way;
             sums.input += mean(|r| r.input);
-            sums.viscous += mean(|r| r.viscous) + state.damped;
+            sums.viscous += mean(|r| r.viscous) + work(|r| r.dashed, way) + state.damped;
             sums.friction += match state.along.is_empty() {
                 true => mean(|r| r.friction),
-                false => 0.5 * (before.drag + rates.drag) * (state.slip[0] - before.slip),
+                false => work(|r| r.drag, way),
             };
-            sums.base_radiated += mean(|r| r.radiated);
+            sums.base_radiated += work(|r| r.radiated, turn);
             sums.base_hysteretic += run.hysteretic * state.lost;
             sums.anchors += state.cost;
-            sums.base_elastic += 0.5 * (before.moment + rates.moment) * (state.psi[0] - before.psi)
-                - 0.5 * (before.press + rates.press) * (state.heave[0] - before.heave)
+            sums.base_elastic += work(|r| r.moment, turn)
+                - work(|r| r.press, state.heave[0] - before.heave)
                 - state.damped
                 - run.hysteretic * state.lost
                 - state.cost;

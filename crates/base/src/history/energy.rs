@@ -37,12 +37,13 @@ impl Energy {
     }
 }
 
-/// Powers and energies of a state.
+/// Powers, energies and forces of a state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rates {
     pub(super) input: f64,
     pub(super) viscous: f64,
     pub(super) friction: f64,
+    /// Moment of the dashpot of the base [N m].
     pub(super) radiated: f64,
     pub(super) body: f64,
     pub(super) moment: f64,
@@ -51,6 +52,8 @@ pub(super) struct Rates {
     pub(super) press: f64,
     pub(super) heave: f64,
     pub(super) drag: f64,
+    /// Force of the dashpot along the ground [N].
+    pub(super) dashed: f64,
     pub(super) slip: f64,
 }
 
@@ -63,13 +66,13 @@ impl Rates {
             press: state.lift.press,
             heave: state.heave[0],
             drag: state.drag,
+            dashed: state.dashed,
             slip: s[0],
             ..Rates::default()
         };
         let Motion { energy, viscous, shift, turn } = state.modes.motion();
         rates.body = energy;
         rates.viscous = viscous;
-        rates.viscous += state.dashed * s[1];
         rates.body += psi[1] * turn
             + s[1] * shift
             + 0.5 * body.second_moment * psi[1] * psi[1]
@@ -87,7 +90,7 @@ impl Rates {
             if let Some(heave) = run.heave {
                 rates.body += 0.5 * heave.mass() * state.heave[1] * state.heave[1];
             }
-            rates.radiated = dashpot(run, law, psi[0]) * psi[1] * psi[1];
+            rates.radiated = dashpot(run, law, psi[0]) * psi[1];
         }
         rates
     }

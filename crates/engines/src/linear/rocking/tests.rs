@@ -231,7 +231,7 @@ fn energy_closes_and_the_step_does_not_matter() {
 fn energy_closes_on_hard_ground() {
     let ready = ready(oil(25e3, 1e10, 2.0));
     let base = Base::of(&ready.case).unwrap();
-    let setup = ready.setup(4);
+    let setup = ready.setup(2);
     let coarse = search::settle(&setup, &base, (search::FIRST, None), true).unwrap();
     let (fine, found) = search::closed(&setup, &base, (search::FIRST, None)).unwrap();
     assert!(coarse.history.balance > 1e-3, "{}", coarse.history.balance);
