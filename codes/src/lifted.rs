@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 
 use base::model::CONCRETE;
-use base::{Base, Origin, PlatePoint, Stand, Stands};
+use base::{Base, Origin, PlatePoint, Stand, Stands, Suction};
 use tank::Case;
 use tank::units::Dimension::{Angle, Length, Moment, Stress};
 
@@ -122,6 +122,7 @@ pub(crate) fn information(
     let mut notes: Vec<String> = grounds.first().map(|ground| ground.base.foot().into()).into_iter().collect();
     sheet.section("Uplift by strips of the bottom plate (for information)");
     let own = "own calculation";
+    let mut lifts = false;
     for ground in &grounds {
         let (base, modulus) = (&ground.base, ground.modulus());
         let Some(stand) = under(base, moment, weight) else {
@@ -132,6 +133,7 @@ pub(crate) fn information(
         };
         let source = format!("strips side by side under {symbol}, subgrade modulus {modulus}");
         let turn = &stand.turn;
+        lifts |= turn.uplift > 0.0;
         let toe = turn.toe_force.max(0.0) / base.wall_thickness();
         for (symbol, name, value, dimension) in [
             ("ψ", "rotation of the shell", turn.rotation, Angle),
@@ -146,7 +148,15 @@ pub(crate) fn information(
             sheet.look_up("M_0", name, &source, leaving, Moment, own);
         }
     }
+    if let Some(suction) = softened(case, moment).filter(|_| lifts) {
+        notes.push(format!("{clause}: for information, strips of the bottom plate do not hold: {}.", suction.reason()));
+    }
     notes
+}
+
+/// The bottom pressure that goes with a moment [N·m] all of which is that of impulsive liquid, where strips that lift do not hold under it.
+pub fn softened(case: &Case, moment: f64) -> Option<Suction> {
+    Base::net(case).ok()?.suction_with(moment).filter(|suction| !suction.holds())
 }
 
 /// The base of a tank on one of its grounds, for figures.

@@ -18,7 +18,7 @@
 //! | tension of bearings | 1 − N/N_0 | 1 |
 //!
 //! Uplift is judged where the engine lets the base lift ([`tank::demand::FreeBase`]); the shear of a tank that slides is then that of the tank
-//! held in place. Where runs of such a base that should agree do not, nothing but the wave may hold. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
+//! held in place. Where runs of such a base that should agree do not, or the pressure of the motion exceeds what its strips hold, nothing but the wave may hold. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
 //! wall pulls, or such a box is too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
 //! ([`Findings::outside`]). The same is true of a base that moves further than the engine follows ([`tank::demand::Footing::Beyond`]); only
 //! its anchors then have a demand.
@@ -127,6 +127,9 @@ fn of_demands(
     if demands.base.as_ref().is_some_and(|base| base.scatters) {
         open(&mut work, SCATTERS);
     }
+    if demands.base.as_ref().is_some_and(|base| base.softened) {
+        open(&mut work, SOFTENED);
+    }
     if demands.base.as_ref().is_some_and(|base| base.broken > 0) {
         open(&mut work, BROKEN);
     }
@@ -190,6 +193,9 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
 
 /// Why nothing holds under a base that rocks differently each time.
 const SCATTERS: &str = "the rocking base does not repeat: motions 0.1 % apart or half the time step give other peaks, and the demand is one draw of many";
+
+/// Why nothing holds where the lifted side has lost its hoop force.
+const SOFTENED: &str = "the pressure of the motion takes the hoop force from the lifted side of a wall whose rim is not round: strips of the bottom plate lift too far and press too little at the toe, the nonlinear engine (`--fe nonlinear`) has shells";
 
 /// Why nothing holds where anchors break.
 const BROKEN: &str = "anchors break: the engine holds the tank in place along the ground all the same, and does not follow one that slides";

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Top, Turn};
+use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Suction, Top, Turn};
 use serde_json::{Value, json};
 use tank::units::{Dimension, UnitError, display, parse};
 
@@ -98,10 +98,14 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let grounds = BAND.map(|factor| on_ground(factor, &base, suction, &uplifts, &rotations));
     let grounds = grounds.into_iter().collect::<Result<Vec<_>, _>>()?;
     let name = &tank.case.name;
+    let limit = base.suction(suction).filter(|_| !rotations.is_empty());
+    if let Some(exceeded) = limit.filter(|limit| !limit.holds()) {
+        warn("", &Warning::new(Code::LimitExceeded, words::softened(&exceeded.reason())));
+    }
     show(
         args.format,
         || human(name, &base, suction, &grounds),
-        || document(name, &base, suction, &grounds),
+        || document(name, &base, (suction, limit), &grounds),
         || Ok(csv(&grounds)),
     )?;
     Ok(EXIT_OK)
@@ -252,7 +256,7 @@ fn ground(on: &OnGround) -> Value {
     })
 }
 
-fn document(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> Value {
+fn document(name: &str, base: &Base, (suction, limit): (f64, Option<Suction>), grounds: &[OnGround]) -> Value {
     let band: Vec<Value> = grounds.iter().map(ground).collect();
     let own = grounds.iter().position(|g| g.factor == 1.0).map_or(&Value::Null, |i| &band[i]);
     json!({
@@ -264,6 +268,11 @@ fn document(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> Valu
         "wall_weight_N_per_m": base.weight,
         "pressure_at_rest_Pa": base.pressure,
         "bottom_pressure_Pa": suction,
+        "bottom_pressure_limit": limit.map(|limit| json!({
+            "share": limit.share,
+            "limit": limit.limit,
+            "holds": limit.holds(),
+        })),
         "modulus_N_per_m3": base.modulus,
         "modulus_origin": origin(base.origin),
         "rim": rim(base.top()),

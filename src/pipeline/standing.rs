@@ -1,6 +1,6 @@
 //! The base of an unanchored tank under the largest moment of the procedures, for figures.
 
-use codes::lifted::{Drawing, drawings};
+use codes::lifted::{Drawing, drawings, softened};
 use tank::assessment::Excitation;
 use tank::{Quantity, Support};
 
@@ -31,10 +31,12 @@ pub(super) fn standing(job: &Job, methods: &[Method]) -> Option<Standing> {
         return None;
     }
     let wall = tank.courses.first()?.net_thickness();
+    let lifts = drawn.iter().filter_map(|d| d.stand.as_ref()).any(|(stand, _)| stand.turn.uplift > 0.0);
     Some(Standing {
         moment,
         method: method.id.clone(),
         weight: Some(weight),
+        softened: softened(&job.case, moment).filter(|_| lifts).map(|suction| [suction.share, suction.limit]),
         plate: plate(&drawn),
         grounds: drawn.into_iter().map(|drawing| ground(drawing, wall)).collect(),
     })

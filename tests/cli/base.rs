@@ -128,3 +128,24 @@ fn what_is_left_out_or_missing_is_said() {
         assert!(text.contains("– on ground of "), "{line} has no reason in {text}");
     }
 }
+
+/// Under a free rim strips hold up to 0.397 of the pressure at rest, 128 kPa (0.75 · 0.529, the eigenvalue of the waves); under a round one there is no limit.
+#[test]
+fn suction_beyond_what_strips_hold_is_a_limit() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    for (holds, pressure, kept) in
+        [("free", "40 kPa", Some(true)), ("free", "60 kPa", Some(false)), ("round", "60 kPa", None)]
+    {
+        let file = changed(home.path(), |tank| tank["tank"]["roof"]["holds"] = json!(holds));
+        let given = ["base", &file, "--bottom-pressure", pressure, "--rotation", "1e-3", "--format", "json"];
+        let run = tankcheck(&given);
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        let found: Value = serde_json::from_slice(&run.stdout).expect("JSON");
+        let limit = &found["bottom_pressure_limit"];
+        assert_eq!(limit["holds"].as_bool(), kept, "{limit}");
+        assert_eq!(stderr(&run).contains("`tankcheck push` has shells"), kept == Some(false), "{}", stderr(&run));
+        if kept.is_some() {
+            assert!((number(&limit["limit"]) - 0.397).abs() < 2e-3, "{limit}");
+        }
+    }
+}

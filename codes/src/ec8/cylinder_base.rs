@@ -175,11 +175,11 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
         }
     };
     let strips = strips(work, state, weight);
-    let toe = match &strips {
-        Some(Ok(lift)) => Some(lift.toe),
-        _ => None,
+    let (toe, softened) = match &strips {
+        Some(Ok(lift)) => (Some(lift.toe), plate_uplift::softened(work, state, lift)),
+        _ => (None, None),
     };
-    work.base = standing(how, compression, strips);
+    work.base = softened.map_or_else(|| standing(how, compression, strips), BaseState::Unknown);
     work.rim = Some(compression);
     Amplification::Factor(amplification(work, state, toe, &clause))
 }

@@ -19,7 +19,7 @@ use ::base::{Base, Stand};
 use super::cylinder_stress::State;
 use super::limit_states::{UPLIFT, UPLIFT_EQUILIBRIUM, UPLIFT_MEMBRANE, UPLIFT_ROTATION, UPLIFT_WIDTH};
 use super::work::{Work, missing_input};
-use crate::base_state::Lift;
+use crate::base_state::{Lift, leave_open};
 use crate::lifted::{self, Ground};
 use crate::sheet::with_unit;
 use tank::Bottom;
@@ -64,7 +64,17 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
     }
     let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
     checks(work, state, bottom, f_y, &rims);
-    Ok(Lift { uplift: largest(|r| r.uplift), toe: largest(|r| r.compression) })
+    let lift = Lift { uplift: largest(|r| r.uplift), toe: largest(|r| r.compression) };
+    if let Some(reason) = softened(work, state, &lift) {
+        leave_open(&mut work.out.checks, &[UPLIFT.id], &reason);
+    }
+    Ok(lift)
+}
+
+/// Why strips that lift do not hold under the horizontal pressure of the motion on the foot of the wall.
+pub(super) fn softened(work: &Work, state: &State, lift: &Lift) -> Option<String> {
+    let suction = Base::net(work.case).ok()?.suction(state.pressure_horizontal(0.0))?;
+    (lift.uplift > 0.0 && !suction.holds()).then(|| suction.reason())
 }
 
 /// What the rim does on one ground.

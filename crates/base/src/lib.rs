@@ -33,6 +33,7 @@ mod plate;
 mod rocking;
 mod stand;
 mod strip;
+mod suction;
 #[cfg(test)]
 mod tests;
 mod warp;
@@ -51,4 +52,5 @@ pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
 pub use stand::{PlatePoint, Stand, Stands};
 pub use strip::{Plan, Rim, Strip};
+pub use suction::Suction;
 pub use warp::{Top, WAVES, Warping};

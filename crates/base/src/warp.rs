@@ -62,6 +62,11 @@ pub enum Top {
 
 /// Terms of the series of the impulsive pressure.
 const TERMS: usize = 60;
+/// Halvings of an interval: rounding.
+const HALVINGS: usize = 52;
+/// Largest bottom pressure of the motion over that at which the wall loses its stiffness against one combination of waves. Under a free rim it is about 0.4
+/// of the pressure at rest, where strips and shells of a squat tank begin to differ (`docs/theory/base.md`, section 2).
+const COMPARED: f64 = 0.75;
 
 /// Stiffness between waves n = 2, 3, … [N/m²].
 type Matrix = [[f64; WAVES]; WAVES];
@@ -76,6 +81,8 @@ pub struct Warping {
     /// 1/K of the membrane below a round rim [m²/N].
     held: [f64; WAVES],
     top: Top,
+    /// Moment of the impulsive pressure on the wall over its bottom pressure [m³].
+    lever: f64,
 }
 
 impl Warping {
@@ -111,7 +118,7 @@ impl Warping {
         let free =
             |k: usize| n(k).powi(4) * (n(k).powi(2) - 1.0) * (liquid + (n(k).powi(2) - 1.0) * bending / radius.powi(6));
         let held = |k: usize| radius * radius * (shearing + (n(k) / radius).powi(2) * axial) / (n(k) * height).powi(2);
-        let [level, square] = moments(radius / depth).map(|m| m * depth);
+        let [level, first, square] = moments(radius / depth).map(|m| m * depth);
         let sucked = |i: usize, j: usize| {
             if i.abs_diff(j) != 1 {
                 return 0.0;
@@ -128,7 +135,40 @@ impl Warping {
             sucked: std::array::from_fn(|i| std::array::from_fn(|j| sucked(i, j))),
             held: std::array::from_fn(held),
             top,
+            lever: PI * radius * depth * first,
         })
+    }
+
+    /// Bottom pressure of impulsive liquid whose pressure on the wall has this moment [N m] about the foot [Pa].
+    pub(crate) fn suction_with(&self, moment: f64) -> f64 {
+        moment / self.lever
+    }
+
+    /// Largest bottom pressure of the motion up to which strips agree with shells [Pa]; `None` under a round rim, whose membrane it leaves alone.
+    pub(crate) fn largest_suction(&self) -> Option<f64> {
+        (self.top != Top::Round).then(|| COMPARED * self.softened())
+    }
+
+    /// Bottom pressure of the motion at which the wall loses its stiffness against one combination of waves [Pa]: the smallest root of det K, a tridiagonal
+    /// matrix, by bisection on its pivots. The membrane in series does not change the root.
+    fn softened(&self) -> f64 {
+        let stable = |suction: f64| {
+            let mut pivot = self.free[0];
+            (1..WAVES).all(|k| {
+                pivot = self.free[k] - (suction * self.sucked[k][k - 1]).powi(2) / pivot;
+                pivot > 0.0
+            })
+        };
+        let (mut low, mut high) = (0.0, (self.free[0] * self.free[1]).sqrt() / self.sucked[1][0].abs());
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if stable(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
     }
 
     /// K of n = 2, 3, … at rest [N/m²].
@@ -172,23 +212,24 @@ impl Warping {
     }
 }
 
-/// ∫ p dζ and ∫ p ζ² dζ of the impulsive pressure p(ζ) on a rigid wall over that at its foot, ζ = z/H.
+/// ∫ p dζ, ∫ p ζ dζ and ∫ p ζ² dζ of the impulsive pressure p(ζ) on a rigid wall over that at its foot, ζ = z/H.
 ///
 /// ```text
 /// p ∝ Σ (−1)^k/α² I₁(α R)/I₁′(α R) cos α z          α = (2 k + 1) π/(2 H)
 /// ```
 ///
 /// * `ratio`: R/H
-fn moments(ratio: f64) -> [f64; 2] {
-    let (mut foot, mut sums) = (0.0, [0.0; 2]);
+fn moments(ratio: f64) -> [f64; 3] {
+    let (mut foot, mut sums) = (0.0, [0.0; 3]);
     for k in 0..TERMS {
         let alpha = (2.0 * k as f64 + 1.0) * PI / 2.0;
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
         let share = sign * bessel(alpha * ratio) / (alpha * alpha);
         foot += share;
-        // ∫ cos α ζ and ∫ ζ² cos α ζ with cos α = 0 and sin α = sign.
+        // ∫ cos α ζ, ∫ ζ cos α ζ and ∫ ζ² cos α ζ with cos α = 0 and sin α = sign.
         sums[0] += share * sign / alpha;
-        sums[1] += share * sign * (1.0 / alpha - 2.0 / alpha.powi(3));
+        sums[1] += share * (sign - 1.0 / alpha) / alpha;
+        sums[2] += share * sign * (1.0 / alpha - 2.0 / alpha.powi(3));
     }
     sums.map(|sum| sum / foot)
 }

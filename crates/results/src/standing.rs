@@ -18,6 +18,9 @@ pub struct Standing {
     /// rest.
     #[serde(default)]
     pub weight: Option<f64>,
+    /// Bottom pressure of the motion over that at rest, and the largest for which the strips hold, where they do not.
+    #[serde(default)]
+    pub softened: Option<[f64; 2]>,
     /// The grounds, the softest first.
     pub grounds: Vec<StandingGround>,
     /// The lifted plate on the ground that decides and lifts most.
@@ -80,13 +83,14 @@ impl Standing {
             .with("method", Message::verbatim(label))
             .with("weight", self.weight.map(|weight| Amount::new(weight, Dimension::LineForce)));
         let plate = self.plate.iter().flat_map(|plate| [plate.lifted(), plate.pressed()]);
-        let first = [
-            Block::Text(Message::new("standing-about")),
-            Block::Text(about),
-            Block::Table(self.table()),
-            Block::Chart(self.turning(&moments)),
-        ];
-        Part { id: "standing".into(), blocks: first.into_iter().chain(plate.map(Block::Chart)).collect() }
+        let softened = self.softened.map(|[share, limit]| {
+            let number = |value| Amount::new(value, Dimension::Dimensionless);
+            Block::Text(Message::new("standing-softened").with("share", number(share)).with("limit", number(limit)))
+        });
+        let texts = [Block::Text(Message::new("standing-about")), Block::Text(about)];
+        let first = [Block::Table(self.table()), Block::Chart(self.turning(&moments))];
+        let texts = texts.into_iter().chain(softened);
+        Part { id: "standing".into(), blocks: texts.chain(first).chain(plate.map(Block::Chart)).collect() }
     }
 
     /// The procedures with a moment, under the excitation of the largest.

@@ -80,6 +80,8 @@ pub struct FreeBase {
     pub lifts: bool,
     /// Whether runs that should agree do not: its demands are one draw of many.
     pub scatters: bool,
+    /// Whether the pressure of the motion takes the hoop force from the lifted side of a wall whose rim is not round, beyond what strips of the bottom hold.
+    pub softened: bool,
     /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
     pub joint: Option<Peak>,
     /// Largest force of an anchor [N], of one that yields as if it had stayed elastic; none without anchors.

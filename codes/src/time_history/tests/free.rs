@@ -39,6 +39,12 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     assert!(found(&draw, UPLIFT.id).reason.contains("does not repeat"));
     let draw = assessed(&case, &free(scatters(0.21)));
     assert_eq!(found(&draw, UPLIFT.id).status, CheckStatus::Fails);
+    // Neither does one whose lifted side has lost its hoop force.
+    let softened = |value| FreeBase { softened: true, ..lifts(Some(joint(value))) };
+    let soft = assessed(&case, &free(softened(0.05)));
+    assert!(soft.checks.iter().all(|check| !check.holds() || check.limit_state == "freeboard"), "{:?}", soft.checks);
+    assert!(found(&soft, UPLIFT.id).reason.contains("--fe nonlinear"));
+    assert_eq!(found(&assessed(&case, &free(softened(0.21))), UPLIFT.id).status, CheckStatus::Fails);
     let rests = assessed(&case, &free(FreeBase::default()));
     assert_eq!((rests.outside, found(&rests, UPLIFT.id).status), (None, CheckStatus::NotApplicable));
 }

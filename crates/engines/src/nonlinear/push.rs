@@ -209,6 +209,7 @@ fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
             significant(length, 3)
         ));
     }
+    out.extend(lifted::doubt(plan, shells));
     if let [perfect, imperfect] = shells
         && imperfect.capacity.state.acceleration > 1.01 * perfect.capacity.state.acceleration
     {

@@ -50,6 +50,11 @@ pub fn no_turn(rotation: f64, modulus: f64, error: &str) -> String {
 /// A number that was not found.
 pub const NONE: &str = "–";
 
+/// Strips that do not hold, for this reason.
+pub fn softened(reason: &str) -> String {
+    format!("moment, lift and toe stress of the rotations do not hold: {reason}; `tankcheck push` has shells")
+}
+
 /// The plate has no yield stress.
 pub const ELASTIC: &str =
     "the material of the bottom plate has no yield_strength: the plate stays elastic, and lifts less than it would";

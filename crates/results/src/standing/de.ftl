@@ -1,11 +1,16 @@
 standing = Wandfuß unter den Momenten der Normen
 
 standing-about =
-    Der Tank hat keine Anker. Nebeneinanderliegende Streifen des Bodenblechs halten eine Wand, deren Fuß eben bleibt; Bleche, Wand und
+    Der Tank hat keine Anker. Nebeneinanderliegende Streifen des Bodenblechs halten eine Wand, deren Fuß sich verwölbt, wie ihr oberer Rand es zulässt; Bleche, Wand und
     Gewicht sind die des Rechenblatts: abzüglich Korrosion, Vertikalbewegung und Überdruck. Maßgebend ist eine angegebene Steifigkeit des
     Bodens, bei angenommenen die ungünstigste.
 standing-with-weight = Unter { $moment }, dem Moment nach { $method }, mit { $weight } aus Wand und Dach wie auf ihrem Rechenblatt.
 standing-moment = Unter { $moment }, dem Moment nach { $method }.
+standing-softened =
+    Verdrehung, Abhebung und Spannung am Druckrand gelten nicht: der Bodendruck der Bewegung erreicht { $share } des Ruhedrucks, mehr als
+    { $limit }, wenn das ganze Moment das der impulsiven Flüssigkeit ist. Unter einem nicht runden oberen Rand der Wand heben die Streifen
+    des Bodenblechs dann zu weit ab und haben 10 bis 20 % zu wenig Moment und Spannung am Druckrand. Zu nehmen sind eine Zeitreihe und der
+    nichtlineare Rechenkern, dessen Wand und Boden Schalen sind.
 standing-ground = Boden unter dem Rand
 standing-information = { $ground }, zur Information
 standing-not-held = nicht gehalten

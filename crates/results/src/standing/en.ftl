@@ -1,11 +1,15 @@
 standing = Base under the moments of the codes
 
 standing-about =
-    The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot stays plane; plates, wall and weight are those
+    The tank has no anchors. Strips of the bottom plate side by side hold a wall whose foot warps as its rim lets it; plates, wall and weight are those
     of the sheet: less corrosion, vertical motion and overpressure. A given stiffness of the ground decides, of assumed ones the least
     favourable.
 standing-with-weight = Under { $moment }, the moment of { $method }, with { $weight } of wall and roof as on its sheet.
 standing-moment = Under { $moment }, the moment of { $method }.
+standing-softened =
+    Rotation, uplift and toe stress do not hold: the bottom pressure of the motion reaches { $share } of that at rest, above { $limit }, if
+    all of the moment is that of impulsive liquid. Under a rim of the wall that is not round, strips of the bottom plate then lift too far
+    and have 10 to 20 % too little moment and toe stress. Take a record and the nonlinear engine, whose wall and bottom are shells.
 standing-ground = Ground under the rim
 standing-information = { $ground }, for information
 standing-not-held = not held

@@ -158,6 +158,7 @@ impl Moved {
         demands.base = Some(FreeBase {
             lifts: self.value("uplift") > 0.0,
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
+            softened: self.suction.is_some_and(|suction| !suction.holds()),
             joint: self.joint(),
             anchor: self.anchor(),
             elastic_wall: true,

@@ -31,6 +31,7 @@ pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
     }
     limits.extend(repeats(free));
     limits.extend(elastic_wall(free));
+    limits.extend(hoop_force(free));
     limits.extend(unbroken(free));
     limits
 }
@@ -50,6 +51,15 @@ fn elastic_wall(free: &Free) -> Option<Limit> {
     let values = moved.wall?;
     let holds = values[0] <= values[1];
     Some(limit_of("base_wall", words::WALL, values, Dimension::Stress, holds, || words::WALL_YIELDS.into()))
+}
+
+/// The lifted side of a wall whose rim is not round needs hoop force.
+fn hoop_force(free: &Free) -> Option<Limit> {
+    let suction = free.moved()?.suction?;
+    let values = [suction.share, suction.limit];
+    Some(limit_of("base_suction", words::SUCTION, values, Dimension::Dimensionless, suction.holds(), || {
+        words::softened(&suction)
+    }))
 }
 
 pub(super) fn repeats(free: &Free) -> Option<Limit> {

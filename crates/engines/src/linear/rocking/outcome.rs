@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use ::base::history::History;
-use ::base::{Base, Origin, Ring, Turn};
+use ::base::{Base, Origin, Ring, Suction, Turn};
 use results::channel::Side;
 use results::{
     AnchorRun, BaseBand, BaseEnergy, BaseRun, BaseSpread, Channel, Finding, GroundOrigin, JointCycles, MissedBand,
@@ -57,6 +57,8 @@ pub(crate) struct Moved {
     pub slid: bool,
     /// Stress of the lowest course at the joint at the largest uplift, and its yield strength [Pa].
     pub wall: Option<[f64; 2]>,
+    /// Largest bottom pressure of the motion of a foot that lifts and warps.
+    pub suction: Option<Suction>,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
     /// The bottom at any time for pictures, where they are asked for.
@@ -182,6 +184,7 @@ pub(super) fn moved(
         foot: states.foot,
         yields: base.yields(),
         slid: found.history.slid,
+        suction: base.suction(largest(&found.history.pressure).0).filter(|_| peaks.uplift.0 > 0.0),
         wall: base.wall_yield.map(|strength| {
             let point = found.laws.rocking.curve().at(peaks.uplift.0);
             [base.wall_stress(&point), strength]

@@ -1,6 +1,7 @@
 //! The body against the engine it comes from, signs, balance, time step, and a tank that is too heavy to lift.
 
 mod missed;
+mod softened;
 
 use ::base::history::{Run, march};
 use oscillator::record::Record;

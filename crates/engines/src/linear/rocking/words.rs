@@ -1,6 +1,6 @@
 //! Notes and assumptions of a run on a free base.
 
-use ::base::Base;
+use ::base::{Base, Suction};
 use results::{BaseSpread, MissedBand};
 use tank::units::{Dimension, display, significant};
 
@@ -38,6 +38,18 @@ pub(super) fn anchors_break(broken: usize, count: usize) -> String {
 /// What a wall that yields means.
 pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, which the strips leave out: wall and plate share the plastic \
      rotation, of which the value here is the sum. `tankcheck push` and the nonlinear engine model both.";
+/// Name of the limit of the pressure of the motion.
+pub(super) const SUCTION: &str =
+    "Bottom pressure of the motion over that at rest, where the base lifts under a rim of the wall that is not round";
+
+/// Strips that do not hold, and what to take instead.
+pub(super) fn softened(suction: &Suction) -> String {
+    format!(
+        "Uplift, moment and toe stress do not hold: {}. Take the nonlinear engine (`--fe nonlinear`), whose wall and bottom are shells.",
+        suction.reason()
+    )
+}
+
 /// Inertia on the foot is asked for, and no foot lifts.
 pub(super) const NO_HEAVE: &str = "`analysis.heave` has no effect: in this engine's run the foot does not lift.";
 /// The model lacks rows.

@@ -140,6 +140,7 @@ fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase
     Some(FreeBase {
         lifts,
         scatters: false,
+        softened: false,
         joint: Some(joint),
         anchor,
         broken: usize::from(breaks),

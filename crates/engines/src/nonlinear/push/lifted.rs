@@ -99,6 +99,16 @@ fn lifted(angles: &[f64], rim: &[f64]) -> f64 {
     angles.windows(2).zip(rim.windows(2)).map(part).sum()
 }
 
+/// Why the strips beside the shells do not hold up to the largest acceleration at which the foot is lifted.
+pub(super) fn doubt(plan: &Plan, shells: &[PushShell]) -> Option<String> {
+    let plate = plan.plate.as_ref().filter(|_| !plan.plane)?;
+    let lifted = |p: &&PushPoint| p.base.is_some_and(|base| base.uplift > 0.0 && base.strips.is_some());
+    let states = shells.iter().flat_map(|shell| shell.path.iter().filter(lifted));
+    let most = states.map(|p| p.acceleration).fold(0.0, f64::max);
+    let suction = plate.base.suction(plate.suction() * most).filter(|suction| !suction.holds())?;
+    Some(format!("The strips beside the shells do not hold at the largest acceleration: {}.", suction.reason()))
+}
+
 /// Adds what the strips have at the rotations and accelerations of the paths.
 pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
     let Some(plate) = &plan.plate else { return };
