@@ -48,7 +48,7 @@ impl Solution {
 pub fn run(job: &Job, variable: Variable) -> Result<Solution, Error> {
     let given = variable.given(&job.case)?;
     let range = variable.range(&job.case);
-    let (methods, reference) = pipeline::procedures::decide(job)?;
+    let (methods, reference) = pipeline::procedures::decide_without_sheets(job)?;
     let solution = |found, evaluations| Solution { variable, given, range, found, evaluations };
     if reference.status == VerdictStatus::NotAssessed {
         let reason = inapplicable(&methods).unwrap_or_else(|| "no deciding procedure checked a limit state".into());
@@ -58,7 +58,7 @@ pub fn run(job: &Job, variable: Variable) -> Result<Solution, Error> {
     let mut job = reduced(job, &reference);
     let answer = |value: f64| {
         variable.set(&mut job.case, value);
-        match pipeline::procedures::decide(&job) {
+        match pipeline::procedures::decide_without_sheets(&job) {
             Ok((methods, verdict)) => classify(&reference, &methods, verdict),
             // A procedure that does not converge at a remote value.
             Err(error) => Answer::Outside(error.to_string()),

@@ -1,7 +1,9 @@
 //! `tankcheck check --table`: a table of tanks, one line of answers for each.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use crate::cli::inputs::{self, Inputs, shaken};
 use crate::cli::terminal::{report_failure, say, warn};
@@ -10,6 +12,7 @@ use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRU
 use crate::input::csv::{self, Cell, Table};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::{self, TankFile};
+use crate::job::Job;
 use crate::pipeline;
 use crate::solve::Variable;
 use files::code::{Code, Warning};
@@ -44,14 +47,17 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
     let mut text = line(&head);
     let mut codes = Vec::new();
     let (mut said, mut any) = (BTreeSet::new(), table.rows.is_empty());
-    for (tank, row) in tanks.into_iter().zip(&table.rows) {
+    let resolve =
+        |(tank, row): (Option<TankFile>, &Vec<Cell>)| tank.map(|tank| resolved(inputs, tank, &place(&table, row)));
+    let jobs: Vec<_> = tanks.into_iter().zip(&table.rows).map(resolve).collect();
+    let one = |job: Option<Result<Job, Error>>| job.map(|job| answer(&job?, inputs.strict, variable));
+    for (answered, row) in side_by_side(jobs, one).into_iter().zip(&table.rows) {
         let mut cells: Vec<String> = row.iter().map(|c| c.text.clone()).collect();
-        let place = place(&table, row);
-        let answered = tank.map(|tank| answer(inputs, tank, &place, variable));
-        let answers = match answered {
+        match answered {
             Some(Ok((code, answers))) => {
                 codes.push(code);
-                answers
+                any = true;
+                cells.extend(answers);
             }
             Some(Err(error)) if error.exit_code() == EXIT_INTERRUPTED => return Err(error),
             Some(Err(error)) => {
@@ -60,16 +66,14 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
                 if said.insert(error.message()) {
                     report_failure(&error);
                 }
-                say!("note: the fault is in the tank of {place}");
-                vec![REFUSED.into()]
+                say!("note: the fault is in the tank of {}", place(&table, row));
+                cells.push(REFUSED.into());
             }
             None => {
                 codes.push(EXIT_INPUT);
-                vec![REFUSED.into()]
+                cells.push(REFUSED.into());
             }
-        };
-        any |= answers.len() > 1;
-        cells.extend(answers);
+        }
         cells.resize(head.len(), String::new());
         text.push_str(&line(&cells));
     }
@@ -91,17 +95,43 @@ fn place(table: &Table, row: &[Cell]) -> String {
     format!("{}:{number}", table.source.name)
 }
 
-/// Exit code and answers of one tank.
-fn answer(
-    inputs: &Inputs,
-    tank: TankFile,
-    place: &str,
-    variable: Option<Variable>,
-) -> Result<(u8, Vec<String>), Error> {
+/// The job of a tank; its warnings go to standard error.
+///
+/// Errors: options that do not fit it; no ground motion.
+fn resolved(inputs: &Inputs, tank: TankFile, place: &str) -> Result<Job, Error> {
     let job = inputs.resolved(tank)?;
     inputs::warned(&job, &format!("{place}: "));
     shaken(&job)?;
-    let (_, verdict) = pipeline::procedures::decide(&job)?;
+    Ok(job)
+}
+
+/// What is found for each item, in their order, by as many threads as the program may use. They are not those of the pool, whose threads take
+/// other work while they wait: procedures read what is set for their thread.
+fn side_by_side<T: Send, R: Send>(items: Vec<T>, one: impl Fn(T) -> R + Sync) -> Vec<R> {
+    let threads = fem::cores::available().min(items.len());
+    let queue = Mutex::new(items.into_iter().enumerate());
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let work = || {
+        let mut found = Vec::new();
+        while let Some((i, item)) = next() {
+            found.push((i, one(item)));
+        }
+        found
+    };
+    let mut all = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        threads
+            .into_iter()
+            .flat_map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect::<Vec<_>>()
+    });
+    all.sort_by_key(|(i, _)| *i);
+    all.into_iter().map(|(_, found)| found).collect()
+}
+
+/// Exit code and answers of one tank.
+fn answer(job: &Job, strict: bool, variable: Option<Variable>) -> Result<(u8, Vec<String>), Error> {
+    let (_, verdict) = pipeline::procedures::decide_without_sheets(job)?;
     let governing = verdict.governing.as_ref();
     let utilisation = governing.and_then(|g| g.check.utilisation);
     let mut cells = vec![
@@ -111,7 +141,7 @@ fn answer(
         utilisation.map_or(String::new(), |u| format!("{u:.6}")),
     ];
     if let Some(variable) = variable {
-        let solution = crate::solve::run(&job, variable)?;
+        let solution = crate::solve::run(job, variable)?;
         let (value, check) = match solution.value() {
             Some((value, at)) => {
                 (value.to_string(), at.governing.as_ref().map_or(String::new(), |g| g.check.id.clone()))
@@ -120,7 +150,7 @@ fn answer(
         };
         cells.extend([value, check, solve::status(&solution).into()]);
     }
-    Ok((compare::exit_code(&verdict, inputs.strict), cells))
+    Ok((compare::exit_code(&verdict, strict), cells))
 }
 
 /// Warns of rows with the same name: their answers cannot be told apart.

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::job::Job;
 use codes::Procedure;
 use codes::procedure::CodeError;
+use codes::sheet::without_lines;
 use results::{Method, Status, Verdict, finite};
 use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
@@ -44,6 +45,13 @@ pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
         ..results::verdict(&methods, decision::deciding(job, &methods), false, None)
     };
     Ok((methods, verdict))
+}
+
+/// The same where nobody reads the sheets: they stay empty.
+///
+/// Errors: as [`decide`].
+pub fn decide_without_sheets(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
+    without_lines(|| decide(job))
 }
 
 /// The code procedures under one excitation.

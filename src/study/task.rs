@@ -179,7 +179,7 @@ impl Unit<'_> {
 
     fn rows(&self, tank: TankFile, lines: &mut Vec<Line>) -> Result<(), Error> {
         let mut job = self.job(&tank)?;
-        let (methods, verdict) = pipeline::procedures::decide(&job)?;
+        let (methods, verdict) = pipeline::procedures::decide_without_sheets(&job)?;
         let vertical = self.records.values().any(|r| r.up.is_some());
         let prepared = match self.study.engine {
             Some(EngineId::Harmonic) if !self.records.is_empty() => {

@@ -12,7 +12,7 @@
 use crate::curve::Curve;
 use crate::element::GAUSS;
 use crate::error::BaseError;
-use crate::warp::{Foot, WAVES, Warping};
+use crate::warp::{Foot, WAVES, Warping, places};
 use std::f64::consts::PI;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
@@ -220,7 +220,7 @@ impl Rocking {
         panels: usize,
         hold: &'a dyn Fn(f64, f64) -> [f64; 2],
     ) -> Foot<'a> {
-        Foot { radius: self.radius, weight: self.weight, warping, suction, panels, hold }
+        Foot { radius: self.radius, weight: self.weight, warping, suction, places: places(panels), hold }
     }
 
     /// Force [N] and moment [N m] of the strips at a rotation ψ [rad] ≥ 0 with the centre of the foot at w₀ [m], and a bottom pressure that is

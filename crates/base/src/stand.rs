@@ -4,7 +4,7 @@
 //! close where the rim leaves the ground, then in steps that grow with the distance from it. What lies between the last two states on
 //! either side is not used, as slopes there would change with the next state. So an answer depends on what was asked before by rounding only.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use crate::curve::Curve;
 use crate::error::BaseError;
@@ -13,7 +13,7 @@ use crate::march::{Lifted, Shape};
 use crate::model::Base;
 use crate::rocking::{Turn, plane_section_by, turned};
 use crate::strip::Strip;
-use crate::warp::Foot;
+use crate::warp::{Foot, places};
 
 /// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
 const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
@@ -99,7 +99,7 @@ impl Stands {
     pub fn at(&mut self, rotations: &[f64], weight: f64) -> Vec<Turn> {
         let base = self.base.clone();
         let turns = self.with(0.0, |drawn| {
-            let turn = |rotation: &f64| grown(drawn, &base, weight, *rotation).ok();
+            let turn = |rotation: &f64| grown(drawn, &base, weight, *rotation, None).ok();
             Some(rotations.iter().filter_map(turn).collect())
         });
         turns.unwrap_or_default()
@@ -132,7 +132,13 @@ impl Stands {
     fn found(&mut self, weight: f64, suction: f64, goal: &dyn Fn(&Turn) -> f64, settled: f64) -> Option<Stand> {
         let base = self.base.clone();
         self.with(suction, |drawn| {
-            let turn = turned(&|rotation| grown(drawn, &base, weight, rotation), goal, settled)?;
+            let last = Cell::new(None);
+            let at = |rotation| {
+                let turn = grown(drawn, &base, weight, rotation, last.get().as_ref())?;
+                last.set(Some(turn));
+                Ok(turn)
+            };
+            let turn = turned(&at, goal, settled)?;
             let rim = drawn.borrow().last()?.kept.curve.at(turn.uplift);
             Some(Stand { turn, rim })
         })
@@ -163,7 +169,15 @@ impl Stands {
 }
 
 /// The base at a rotation, on curves that grow until they hold it: that at rest, and where there is one that under suction.
-fn grown(drawn: &RefCell<Vec<Drawn>>, base: &Base, weight: f64, rotation: f64) -> Result<Turn, BaseError> {
+///
+/// * `last`: a turn that is close to it
+fn grown(
+    drawn: &RefCell<Vec<Drawn>>,
+    base: &Base,
+    weight: f64,
+    rotation: f64,
+    last: Option<&Turn>,
+) -> Result<Turn, BaseError> {
     let radius = base.radius;
     loop {
         let tried = {
@@ -181,14 +195,19 @@ fn grown(drawn: &RefCell<Vec<Drawn>>, base: &Base, weight: f64, rotation: f64) -
                 }
             };
             let force = |w: f64, cos: f64| hold(w, cos)[0];
-            let plane = plane_section_by(PANELS, radius, weight, (from, to), rotation, &force);
-            match (&base.warping, plane) {
-                (Some(warping), Ok(plane)) => {
+            let plane = || plane_section_by(PANELS, radius, weight, (from, to), rotation, &force);
+            match &base.warping {
+                Some(warping) => {
                     // The pressures of the codes stand still on the wall.
-                    let foot = Foot { radius, weight, warping, suction: 0.0, panels: WARPED, hold: &hold };
-                    foot.at(rotation, &plane, (from, to))
+                    let foot = Foot { radius, weight, warping, suction: 0.0, places: places(WARPED), hold: &hold };
+                    let near = last.map(|turn| foot.at(rotation, turn, (from, to)));
+                    match near {
+                        Some(Ok(turn)) => Ok(turn),
+                        Some(Err(beyond @ BaseError::BeyondCurve { .. })) => Err(beyond),
+                        _ => plane().and_then(|plane| foot.at(rotation, &plane, (from, to))),
+                    }
                 }
-                (_, plane) => plane,
+                None => plane(),
             }
         };
         let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else { return tried };

@@ -29,7 +29,10 @@
 //!
 //! Under a round rim only the membrane is left.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::rc::Rc;
 
 use tank::{Case, Shape};
 
@@ -259,10 +262,42 @@ pub(crate) struct Foot<'a> {
     pub(crate) warping: &'a Warping,
     /// Pressure at rest less the bottom pressure at the lifted side [Pa].
     pub(crate) suction: f64,
-    /// Panels of three Gauss points from the lifted side to the toe.
-    pub(crate) panels: usize,
+    /// Places around at which the law is asked.
+    pub(crate) places: Rc<[Place]>,
     /// Pull on the wall [N/m] and its slope [N/m²] as functions of the uplift [m] and of the cosine of the angle from the lifted side.
     pub(crate) hold: &'a dyn Fn(f64, f64) -> [f64; 2],
+}
+
+/// A place around, from the lifted side to the toe.
+pub(crate) struct Place {
+    /// Cosine of its angle.
+    cos: f64,
+    /// Angle that it stands for [rad].
+    width: f64,
+    /// 1, cos 2φ, cos 3φ, …
+    forms: [f64; UNKNOWNS],
+}
+
+thread_local! {
+    /// The places of each number of panels that was asked for.
+    static PLACES: RefCell<BTreeMap<usize, Rc<[Place]>>> = const { RefCell::new(BTreeMap::new()) };
+}
+
+/// The Gauss points of panels from the lifted side to the toe, three in each.
+pub(crate) fn places(panels: usize) -> Rc<[Place]> {
+    let width = PI / panels as f64;
+    let place = |panel: usize, (x, weight): (f64, f64)| {
+        let cos = ((panel as f64 + x) * width).cos();
+        let mut forms = [1.0; UNKNOWNS];
+        let (mut before, mut last) = (1.0, cos);
+        for form in &mut forms[1..] {
+            (before, last) = (last, 2.0 * cos * last - before);
+            *form = last;
+        }
+        Place { cos, width: weight * width, forms }
+    };
+    let made = || (0..panels).flat_map(|panel| GAUSS.map(|point| place(panel, point))).collect();
+    PLACES.with_borrow_mut(|kept| Rc::clone(kept.entry(panels).or_insert_with(made)))
 }
 
 /// Sums over half of the circumference, over R.
@@ -373,26 +408,15 @@ impl Foot<'_> {
                 sums.slope[i + 1][j + 1] = 0.5 * PI * own;
             }
         }
-        let width = PI / self.panels as f64;
-        for panel in 0..self.panels {
-            for (x, weight) in GAUSS {
-                let cos = ((panel as f64 + x) * width).cos();
-                // 1, cos 2φ, cos 3φ, …
-                let mut forms = [1.0; UNKNOWNS];
-                let (mut before, mut last) = (1.0, cos);
-                for form in &mut forms[1..] {
-                    (before, last) = (last, 2.0 * cos * last - before);
-                    *form = last;
-                }
-                let uplift = reach * cos + forms.iter().zip(unknowns).map(|(f, u)| f * u).sum::<f64>();
-                let [force, slope] = (self.hold)(uplift, cos).map(|f| f * weight * width);
-                sums.moment += force * cos;
-                for i in 0..UNKNOWNS {
-                    sums.force[i] += force * forms[i];
-                    let own = slope * forms[i];
-                    for (to, form) in sums.slope[i][..=i].iter_mut().zip(&forms) {
-                        *to += own * form;
-                    }
+        for Place { cos, width, forms } in self.places.iter() {
+            let uplift = reach * cos + forms.iter().zip(unknowns).map(|(f, u)| f * u).sum::<f64>();
+            let [force, slope] = (self.hold)(uplift, *cos).map(|f| f * width);
+            sums.moment += force * cos;
+            for i in 0..UNKNOWNS {
+                sums.force[i] += force * forms[i];
+                let own = slope * forms[i];
+                for (to, form) in sums.slope[i][..=i].iter_mut().zip(forms) {
+                    *to += own * form;
                 }
             }
         }
