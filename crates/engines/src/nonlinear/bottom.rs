@@ -69,8 +69,8 @@ pub(super) struct Plate {
     pub(super) foot: usize,
     /// p_b at the radii [Pa per m/s²]; 0 outside the wall.
     pub(super) impulsive: Vec<f64>,
-    /// Coefficient of friction between plate and ground.
-    pub(super) friction: f64,
+    /// Coefficient of friction between plate and ground; none where it is left out.
+    pub(super) friction: Option<f64>,
     /// The strips of the fast engines, of the same plates on the same ground.
     pub(super) base: Base,
 }
@@ -153,7 +153,7 @@ impl Plate {
             if *r > radius * (1.0 + 1e-9) { 0.0 } else { impulsive_pressure(case, radius, *r) }
         };
         Ok(Plate {
-            friction: case.tank.foundation.and_then(|f| f.friction).unwrap_or(FRICTION),
+            friction: case.tank.foundation.map_or(Some(FRICTION), |f| f.friction),
             impulsive: radii.iter().map(pressure).collect(),
             foot: outside,
             radii,
@@ -264,8 +264,11 @@ impl Plate {
             let mut row = Vec::new();
             for (&node, share) in ring.iter().zip(shares(angles)) {
                 let ground = Ground::new(node, self.base.modulus, area * share);
-                let ground = if rubs { ground.and_then(|g| g.with_friction(self.friction)) } else { ground };
-                let element = ground.map_err(failed)?;
+                let element = match self.friction.filter(|_| rubs) {
+                    Some(friction) => ground.and_then(|g| g.with_friction(friction)),
+                    None => ground,
+                };
+                let element = element.map_err(failed)?;
                 row.push(builder.element(GROUND, element));
             }
             ground.push(row);
@@ -340,8 +343,11 @@ impl Plate {
         let weak = WEAK * self.base.modulus * area;
         let spring = Spring::to_ground(node, Direction::Translation([1.0, 0.0, 0.0]), weak).map_err(failed)?;
         builder.element(KEY, spring);
-        let ground =
-            Ground::new(node, self.base.modulus, area).and_then(|g| g.with_friction(self.friction)).map_err(failed)?;
-        Ok(builder.element(GROUND, ground))
+        let ground = Ground::new(node, self.base.modulus, area);
+        let ground = match self.friction {
+            Some(friction) => ground.and_then(|g| g.with_friction(friction)),
+            None => ground,
+        };
+        Ok(builder.element(GROUND, ground.map_err(failed)?))
     }
 }

@@ -376,13 +376,16 @@ fn assumptions(plan: &Plan) -> Vec<String> {
     ];
     if let Some(plate) = &plan.plate {
         let shown = |value: f64, dimension| tank::units::display(value, dimension);
+        let along = match plate.friction {
+            Some(friction) => format!("with friction of {}", significant(friction, 2)),
+            None => "without friction, the foot held along it".into(),
+        };
         out.push(format!(
-            "Bottom plate as yielding shells over the outer {} of the radius on ground of {} that pushes and does not pull, with \
-             friction of {}; the plate within stays where it is: the tank does not slide. Every particle of wall and plate keeps its \
-             hydrostatic pressure. Plates as built; the ground is elastic.",
+            "Bottom plate as yielding shells over the outer {} of the radius on ground of {} that pushes and does not pull, {along}; the \
+             plate within stays where it is: the tank does not slide. Every particle of wall and plate keeps its hydrostatic pressure. \
+             Plates as built; the ground is elastic.",
             shown(plate.width(), Dimension::Length),
             shown(plate.base.modulus, Dimension::Subgrade),
-            significant(plate.friction, 2),
         ));
         out.push(
             match plan.plane {

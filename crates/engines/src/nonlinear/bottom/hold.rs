@@ -6,10 +6,14 @@ use fem::dofs::Dof;
 use fem::element::super_element::SuperElement;
 use fem::linalg::Matrix;
 use fem::model::Builder;
+use tank::Course;
 
 use super::KEY;
 use crate::FeError;
 use crate::nonlinear::arcs::shares;
+
+/// Stiffness that holds the foot over E t of the lowest course: so stiff that it moves by less than 10⁻³ of what the wall does.
+const HELD: f64 = 1e3;
 
 /// A stiff spring against the displacement of the foot along itself, −2 ∫ u_θ sin θ dθ/π = 0 over half of it: the ground takes the shear as the wall
 /// hands it over, and the tank does not slide, while the foot is free to move in and out. A spring that also pushed across the foot would make the plate
@@ -18,8 +22,9 @@ pub(in crate::nonlinear) fn keep_in_place(
     builder: &mut Builder,
     angles: &[f64],
     foot: &[usize],
-    stiffness: f64,
+    lowest: &Course,
 ) -> Result<(usize, Vec<f64>), FeError> {
+    let stiffness = HELD * lowest.build_up().iter().map(|l| l.material.youngs_modulus * l.thickness).sum::<f64>();
     let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
     let mut unknowns = Vec::new();
     let (mut mean, mut along) = (Vec::new(), Vec::new());

@@ -28,9 +28,6 @@ use crate::nonlinear::bottom::{self, Placed, Plate};
 /// Group of the anchors.
 pub(super) const ANCHOR: &str = "anchor";
 
-/// Stiffness that holds the foot over E t of the lowest course: so stiff that it moves by less than 10⁻³ of what the wall does.
-const HELD: f64 = 1e3;
-
 /// The bottom of a model.
 pub(crate) struct Standing {
     pub(super) placed: Placed,
@@ -190,9 +187,8 @@ impl Standing {
             self.holds = Holds::Friction(disc);
             return Ok(());
         }
-        let lowest = case.tank.courses[0].build_up();
-        let stiff: f64 = lowest.iter().map(|l| l.material.youngs_modulus * l.thickness).sum();
-        let (key, along) = bottom::hold::keep_in_place(builder, &self.angles, &rings[self.foot], HELD * stiff)?;
+        let lowest = &case.tank.courses[0];
+        let (key, along) = bottom::hold::keep_in_place(builder, &self.angles, &rings[self.foot], lowest)?;
         self.holds = Holds::Key(key, along);
         Ok(())
     }

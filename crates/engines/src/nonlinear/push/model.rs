@@ -237,6 +237,9 @@ impl<'a> Plan<'a> {
             Some((plate, rings, bending)) => {
                 let follower = self.options.follower_pressure;
                 let ground = plate.place(&mut builder, angles, &rings, [follower, true, false], &mut dead)?;
+                if plate.friction.is_none() {
+                    bottom::hold::keep_in_place(&mut builder, angles, &rings[plate.foot], &case.tank.courses[0])?;
+                }
                 if self.plane {
                     bottom::hold::keep_plane(&mut builder, angles, &rings[plate.foot])?;
                 }

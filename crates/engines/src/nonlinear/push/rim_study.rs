@@ -88,6 +88,9 @@ fn tank_of(tank: &Tank, rim: &str) -> Case {
     let (radius, depth, density) = tank.size;
     let mut case = case(Shape::Cylinder { radius }, tank.courses, &steel, (density, depth));
     test_tanks::on_ground(&mut case, tank.plate, steel.clone(), 1e8);
+    if let Some(foundation) = &mut case.tank.foundation {
+        foundation.friction = Some(tank::FRICTION);
+    }
     match rim {
         "round" => case.tank.roof.holds = RimSupport::Round,
         "ring" => case.tank.rings.push(Ring {

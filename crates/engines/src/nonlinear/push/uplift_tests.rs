@@ -24,6 +24,9 @@ fn oil(yield_strength: f64) -> Case {
     let courses = [(2.4, 0.025), (2.4, 0.021), (2.4, 0.018), (2.4, 0.014), (7.2, 0.01)];
     let mut case = case(Shape::Cylinder { radius: 20.0 }, &courses, &steel, (870.0, 15.0));
     test_tanks::on_ground(&mut case, 0.01, steel, 1e8);
+    if let Some(foundation) = &mut case.tank.foundation {
+        foundation.friction = Some(tank::FRICTION);
+    }
     case
 }
 
@@ -77,6 +80,24 @@ fn a_plane_foot_has_the_moments_of_the_strips() {
         let ratio = base.moment / base.strips.unwrap();
         let tolerance = if base.rotation > 1e-3 { 0.03 } else { 0.05 };
         assert!((ratio - 1.0).abs() < tolerance, "{ratio}: {base:?}");
+    }
+}
+
+/// A friction of 0 leaves friction out of the pushover as of the history: the plate slips freely and the foot is held along the ground.
+#[test]
+fn a_friction_of_zero_is_none() {
+    for (friction, words) in [(Some(0.4), "with friction of 0.4"), (None, "without friction, the foot held along it")] {
+        let mut case = oil(205e9);
+        if let Some(foundation) = &mut case.tank.foundation {
+            foundation.friction = friction;
+        }
+        let options = options(&case, 16);
+        let plan = Plan::new(&case, &options, false).unwrap();
+        assert_eq!(plan.plate.as_ref().unwrap().friction, friction);
+        assert!(assumptions(&plan).iter().any(|text| text.contains(words)), "{:?}", assumptions(&plan));
+        let progress = Until::states(8);
+        let found = path::follow(&plan, None, "perfect shell", None, &mut Keeper::new(None, &plan), &progress).unwrap();
+        assert!(found.shell().path.iter().any(|p| p.base.is_some_and(|b| b.rotation > 1e-5)));
     }
 }
 
