@@ -122,7 +122,6 @@ pub(crate) fn information(
     let mut notes: Vec<String> = grounds.first().map(|ground| ground.base.foot().into()).into_iter().collect();
     sheet.section("Uplift by strips of the bottom plate (for information)");
     let own = "own calculation";
-    let mut lifts = false;
     for ground in &grounds {
         let (base, modulus) = (&ground.base, ground.modulus());
         let Some(stand) = under(base, moment, weight) else {
@@ -133,7 +132,6 @@ pub(crate) fn information(
         };
         let source = format!("strips side by side under {symbol}, subgrade modulus {modulus}");
         let turn = &stand.turn;
-        lifts |= turn.uplift > 0.0;
         let toe = turn.toe_force.max(0.0) / base.wall_thickness();
         for (symbol, name, value, dimension) in [
             ("ψ", "rotation of the shell", turn.rotation, Angle),
@@ -148,13 +146,17 @@ pub(crate) fn information(
             sheet.look_up("M_0", name, &source, leaving, Moment, own);
         }
     }
-    if let Some(suction) = softened(case, moment).filter(|_| lifts) {
-        notes.push(format!("{clause}: for information, strips of the bottom plate do not hold: {}.", suction.reason()));
+    if let Some(suction) = softened(case, moment) {
+        notes.push(format!(
+            "{clause}: for information, strips of the bottom plate do not hold: {}.",
+            suction.left_out()
+        ));
     }
     notes
 }
 
-/// The bottom pressure that goes with a moment [N·m] all of which is that of impulsive liquid, where strips that lift do not hold under it.
+/// The bottom pressure that goes with a moment [N·m] all of which is that of impulsive liquid, where strips, which leave it out, do not hold; also where they
+/// say that all of the rim bears.
 pub fn softened(case: &Case, moment: f64) -> Option<Suction> {
     Base::net(case).ok()?.suction_with(moment).filter(|suction| !suction.holds())
 }

@@ -100,7 +100,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let name = &tank.case.name;
     let limit = base.suction(suction).filter(|_| !rotations.is_empty());
     if let Some(exceeded) = limit.filter(|limit| !limit.holds()) {
-        warn("", &Warning::new(Code::LimitExceeded, words::softened(&exceeded.reason())));
+        warn("", &Warning::new(Code::LimitExceeded, words::softened(&exceeded.lifts_too_far())));
     }
     show(
         args.format,

@@ -31,12 +31,11 @@ pub(super) fn standing(job: &Job, methods: &[Method]) -> Option<Standing> {
         return None;
     }
     let wall = tank.courses.first()?.net_thickness();
-    let lifts = drawn.iter().filter_map(|d| d.stand.as_ref()).any(|(stand, _)| stand.turn.uplift > 0.0);
     Some(Standing {
         moment,
         method: method.id.clone(),
         weight: Some(weight),
-        softened: softened(&job.case, moment).filter(|_| lifts).map(|suction| [suction.share, suction.limit]),
+        softened: softened(&job.case, moment).map(|suction| [suction.share, suction.limit]),
         plate: plate(&drawn),
         grounds: drawn.into_iter().map(|drawing| ground(drawing, wall)).collect(),
     })

@@ -176,7 +176,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Amplification {
     };
     let strips = strips(work, state, weight);
     let (toe, softened) = match &strips {
-        Some(Ok(lift)) => (Some(lift.toe), plate_uplift::softened(work, state, lift)),
+        Some(Ok(lift)) => (Some(lift.toe), plate_uplift::softened(work, state)),
         _ => (None, None),
     };
     work.base = softened.map_or_else(|| standing(how, compression, strips), BaseState::Unknown);

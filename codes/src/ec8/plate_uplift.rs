@@ -65,16 +65,16 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Result<Lift
     let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
     checks(work, state, bottom, f_y, &rims);
     let lift = Lift { uplift: largest(|r| r.uplift), toe: largest(|r| r.compression) };
-    if let Some(reason) = softened(work, state, &lift) {
+    if let Some(reason) = softened(work, state) {
         leave_open(&mut work.out.checks, &[UPLIFT.id], &reason);
     }
     Ok(lift)
 }
 
-/// Why strips that lift do not hold under the horizontal pressure of the motion on the foot of the wall.
-pub(super) fn softened(work: &Work, state: &State, lift: &Lift) -> Option<String> {
+/// Why the strips do not hold, which leave out the horizontal pressure of the motion on the foot of the wall; also where they say that all of the rim bears.
+pub(super) fn softened(work: &Work, state: &State) -> Option<String> {
     let suction = Base::net(work.case).ok()?.suction(state.pressure_horizontal(0.0))?;
-    (lift.uplift > 0.0 && !suction.holds()).then(|| suction.reason())
+    (!suction.holds()).then(|| suction.left_out())
 }
 
 /// What the rim does on one ground.

@@ -145,6 +145,12 @@ impl Base {
         Base { warping: None, ..self }
     }
 
+    /// The same base with liquid that does not pull on the wall where its pressure falls below that of the air.
+    #[must_use]
+    pub fn without_pull(self) -> Base {
+        Base { warping: self.warping.map(Warping::without_pull), ..self }
+    }
+
     /// What keeps the top edge of the wall round; `None` of a foot that stays plane.
     pub fn top(&self) -> Option<Top> {
         self.warping.as_ref().map(Warping::top)

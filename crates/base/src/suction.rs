@@ -1,7 +1,8 @@
 //! How large the pressure of the motion on the bottom may be for strips under a rim that is not round.
 //!
 //! It lowers the hoop force of the lifted side, which resists the waves of the foot ([`crate::Warping`]). Up to 0.4 of the pressure at rest under a free rim
-//! strips agree with shells; in the squat tank of `docs/theory/base.md`, section 2, they lift two to three times as far beyond it.
+//! strips agree with shells that are pushed over. Beyond it, in the squat tank of `docs/theory/base.md`, section 2, strips under that pressure lift two to
+//! three times as far, and strips of the codes, which leave it out, less than shells.
 
 use crate::model::Base;
 
@@ -20,12 +21,27 @@ impl Suction {
         self.share <= self.limit
     }
 
-    /// What follows where they do not, a clause.
+    /// Why they do not hold, a clause.
     pub fn reason(&self) -> String {
         format!(
-            "the bottom pressure of the motion reaches {:.2} of that at rest, above {:.2}: under a rim of the wall that is not round, strips of the \
-             bottom plate lift too far and have 10 to 20 % too little moment and toe stress",
+            "the bottom pressure of the motion reaches {:.2} of that at rest, above {:.2}, under a rim of the wall that is not round",
             self.share, self.limit
+        )
+    }
+
+    /// The same with what follows for strips under that pressure.
+    pub fn lifts_too_far(&self) -> String {
+        format!(
+            "{}: strips of the bottom plate lift up to three times as far as shells, with too little moment and toe stress",
+            self.reason()
+        )
+    }
+
+    /// The same for strips that leave that pressure out.
+    pub fn left_out(&self) -> String {
+        format!(
+            "{}: strips of the bottom plate, which leave it out, lift less than shells and have too little stress at the toe",
+            self.reason()
         )
     }
 }

@@ -39,6 +39,9 @@ use tank::{Case, Shape};
 use crate::element::GAUSS;
 use crate::error::BaseError;
 use crate::rocking::{Turn, lifted};
+use dry::Dry;
+
+mod dry;
 
 /// Waves of the foot that are free, from n = 2 on.
 pub const WAVES: usize = 11;
@@ -86,6 +89,9 @@ pub struct Warping {
     top: Top,
     /// Moment of the impulsive pressure on the wall over its bottom pressure [m³].
     lever: f64,
+    dry: Dry,
+    /// Whether the liquid pulls on the wall where its pressure falls below that of the air.
+    pulls: bool,
 }
 
 impl Warping {
@@ -139,7 +145,14 @@ impl Warping {
             held: std::array::from_fn(held),
             top,
             lever: PI * radius * depth * first,
+            dry: Dry::new(radius, depth, case.liquid.density * gravity * depth),
+            pulls: true,
         })
+    }
+
+    /// The same wall with liquid that does not pull on it.
+    pub(crate) fn without_pull(self) -> Warping {
+        Warping { pulls: false, ..self }
     }
 
     /// Bottom pressure of impulsive liquid whose pressure on the wall has this moment [N m] about the foot [Pa].
@@ -176,25 +189,33 @@ impl Warping {
 
     /// K of n = 2, 3, … at rest [N/m²].
     pub fn stiffness(&self) -> [f64; WAVES] {
-        let still = self.under(0.0);
+        let (still, _) = self.under(0.0);
         std::array::from_fn(|k| still[k][k])
     }
 
-    /// K under a bottom pressure that is lower by `suction` cos φ [Pa].
-    fn under(&self, suction: f64) -> Matrix {
+    /// K [N/m²] and the load on the waves [N/m] under a bottom pressure that is lower by `suction` cos φ [Pa].
+    fn under(&self, suction: f64) -> (Matrix, [f64; WAVES]) {
         let mut stiffness = [[0.0; WAVES]; WAVES];
+        let mut load = [0.0; WAVES];
         if self.top == Top::Round {
             (0..WAVES).for_each(|k| stiffness[k][k] = 1.0 / self.held[k]);
-            return stiffness;
+            return (stiffness, load);
         }
-        // Ovalling F and membrane H in series: K = (1 + F H)⁻¹ F.
-        let mut left = [[0.0; WAVES]; WAVES];
         for i in 0..WAVES {
             for j in 0..WAVES {
-                let own = if i == j { self.free[i] } else { -suction * self.sucked[i][j] };
-                stiffness[i][j] = own;
-                left[i][j] = own * self.held[j] + if i == j { 1.0 } else { 0.0 };
+                stiffness[i][j] = if i == j { self.free[i] } else { -suction * self.sucked[i][j] };
             }
+        }
+        if !self.pulls {
+            let added;
+            (load, added) = self.dry.at(suction);
+            stiffness.iter_mut().flatten().zip(added.iter().flatten()).for_each(|(to, own)| *to += own);
+        }
+        // Ovalling F and membrane H in series: (1 + F H) f = F U − q.
+        let mut left = stiffness;
+        for (i, row) in left.iter_mut().enumerate() {
+            row.iter_mut().zip(&self.held).for_each(|(own, held)| *own *= held);
+            row[i] += 1.0;
         }
         for k in 0..WAVES {
             for i in (0..WAVES).filter(|i| *i != k) {
@@ -203,10 +224,14 @@ impl Warping {
                     left[i][j] -= factor * left[k][j];
                     stiffness[i][j] -= factor * stiffness[k][j];
                 }
+                load[i] -= factor * load[k];
             }
         }
-        (0..WAVES).for_each(|k| stiffness[k].iter_mut().for_each(|v| *v /= left[k][k]));
-        stiffness
+        for k in 0..WAVES {
+            stiffness[k].iter_mut().for_each(|v| *v /= left[k][k]);
+            load[k] /= left[k][k];
+        }
+        (stiffness, load)
     }
 
     /// Support of the top edge.
@@ -224,17 +249,33 @@ impl Warping {
 /// * `ratio`: R/H
 fn moments(ratio: f64) -> [f64; 3] {
     let (mut foot, mut sums) = (0.0, [0.0; 3]);
-    for k in 0..TERMS {
-        let alpha = (2.0 * k as f64 + 1.0) * PI / 2.0;
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-        let share = sign * bessel(alpha * ratio) / (alpha * alpha);
+    for (alpha, share) in terms(ratio) {
         foot += share;
-        // ∫ cos α ζ, ∫ ζ cos α ζ and ∫ ζ² cos α ζ with cos α = 0 and sin α = sign.
-        sums[0] += share * sign / alpha;
-        sums[1] += share * (sign - 1.0 / alpha) / alpha;
-        sums[2] += share * sign * (1.0 / alpha - 2.0 / alpha.powi(3));
+        // ∫ cos α ζ, ∫ ζ cos α ζ and ∫ ζ² cos α ζ with cos α = 0 and sin α = ±1, the sign of the share.
+        sums[0] += share.abs() / alpha;
+        sums[1] += share.abs() / alpha - share / (alpha * alpha);
+        sums[2] += share.abs() * (1.0 / alpha - 2.0 / alpha.powi(3));
     }
     sums.map(|sum| sum / foot)
+}
+
+/// The same pressure at ζ, 1 at the foot.
+fn shape(ratio: f64, zeta: f64) -> f64 {
+    let (mut foot, mut here) = (0.0, 0.0);
+    for (alpha, share) in terms(ratio) {
+        foot += share;
+        here += share * (alpha * zeta).cos();
+    }
+    here / foot
+}
+
+/// α H and (−1)^k/(α H)² I₁(α R)/I₁′(α R) of its terms.
+fn terms(ratio: f64) -> impl Iterator<Item = (f64, f64)> {
+    (0..TERMS).map(move |k| {
+        let alpha = (2.0 * k as f64 + 1.0) * PI / 2.0;
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        (alpha, sign * bessel(alpha * ratio) / (alpha * alpha))
+    })
 }
 
 /// I₁(x)/I₁′(x): power series; beyond x = 50 the first terms in 1/x.
@@ -365,8 +406,8 @@ impl Foot<'_> {
         let reach = rotation * self.radius;
         let scale = PI * self.weight.abs().max(f64::MIN_POSITIVE);
         let size = |sums: &Sums| sums.force[held..].iter().map(|f| f * f).sum::<f64>().sqrt() / scale;
-        let stiffness = self.warping.under(self.suction);
-        let mut found = self.sums(&stiffness, unknowns, reach);
+        let wall = self.warping.under(self.suction);
+        let mut found = self.sums(&wall, unknowns, reach);
         for _ in 0..ITERATIONS {
             let off = size(&found);
             if off <= SETTLED {
@@ -377,7 +418,7 @@ impl Foot<'_> {
             let mut share = 1.0;
             loop {
                 let next: [f64; UNKNOWNS] = std::array::from_fn(|i| unknowns[i] - share * step[i]);
-                let there = self.sums(&stiffness, &next, reach);
+                let there = self.sums(&wall, &next, reach);
                 if size(&there) < off {
                     (*unknowns, found) = (next, there);
                     break;
@@ -399,10 +440,11 @@ impl Foot<'_> {
         Err(BaseError::Parameter { name, value: rotation, allowed })
     }
 
-    fn sums(&self, stiffness: &Matrix, unknowns: &[f64; UNKNOWNS], reach: f64) -> Sums {
+    fn sums(&self, (stiffness, load): &(Matrix, [f64; WAVES]), unknowns: &[f64; UNKNOWNS], reach: f64) -> Sums {
         let mut sums = Sums::default();
         sums.force[0] = PI * self.weight;
         for (i, row) in stiffness.iter().enumerate() {
+            sums.force[i + 1] -= 0.5 * PI * load[i];
             for (j, own) in row.iter().enumerate() {
                 sums.force[i + 1] += 0.5 * PI * own * unknowns[j + 1];
                 sums.slope[i + 1][j + 1] = 0.5 * PI * own;

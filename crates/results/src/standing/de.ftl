@@ -8,9 +8,9 @@ standing-with-weight = Unter { $moment }, dem Moment nach { $method }, mit { $we
 standing-moment = Unter { $moment }, dem Moment nach { $method }.
 standing-softened =
     Verdrehung, Abhebung und Spannung am Druckrand gelten nicht: der Bodendruck der Bewegung erreicht { $share } des Ruhedrucks, mehr als
-    { $limit }, wenn das ganze Moment das der impulsiven Flüssigkeit ist. Unter einem nicht runden oberen Rand der Wand heben die Streifen
-    des Bodenblechs dann zu weit ab und haben 10 bis 20 % zu wenig Moment und Spannung am Druckrand. Zu nehmen sind eine Zeitreihe und der
-    nichtlineare Rechenkern, dessen Wand und Boden Schalen sind.
+    { $limit }, wenn das ganze Moment das der impulsiven Flüssigkeit ist. Unter einem nicht runden oberen Rand der Wand heben die Streifen,
+    die diesen Druck nicht ansetzen, dann weniger ab als Schalen und haben zu wenig Spannung am Druckrand. Zu nehmen sind eine Zeitreihe und
+    der nichtlineare Rechenkern, dessen Wand und Boden Schalen sind.
 standing-ground = Boden unter dem Rand
 standing-information = { $ground }, zur Information
 standing-not-held = nicht gehalten

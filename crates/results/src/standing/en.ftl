@@ -8,8 +8,9 @@ standing-with-weight = Under { $moment }, the moment of { $method }, with { $wei
 standing-moment = Under { $moment }, the moment of { $method }.
 standing-softened =
     Rotation, uplift and toe stress do not hold: the bottom pressure of the motion reaches { $share } of that at rest, above { $limit }, if
-    all of the moment is that of impulsive liquid. Under a rim of the wall that is not round, strips of the bottom plate then lift too far
-    and have 10 to 20 % too little moment and toe stress. Take a record and the nonlinear engine, whose wall and bottom are shells.
+    all of the moment is that of impulsive liquid. Under a rim of the wall that is not round, strips, which leave that
+    pressure out, then lift less than shells and have too little stress at the toe. Take a record and the nonlinear engine, whose wall and
+    bottom are shells.
 standing-ground = Ground under the rim
 standing-information = { $ground }, for information
 standing-not-held = not held

@@ -1,6 +1,6 @@
 //! Notes and assumptions of a run on a free base.
 
-use ::base::{Base, Suction};
+use ::base::{Base, Suction, Top};
 use results::{BaseSpread, MissedBand};
 use tank::units::{Dimension, display, significant};
 
@@ -46,7 +46,7 @@ pub(super) const SUCTION: &str =
 pub(super) fn softened(suction: &Suction) -> String {
     format!(
         "Uplift, moment and toe stress do not hold: {}. Take the nonlinear engine (`--fe nonlinear`), whose wall and bottom are shells.",
-        suction.reason()
+        suction.lifts_too_far()
     )
 }
 
@@ -148,6 +148,9 @@ pub(super) fn band_note(missed: &MissedBand) -> String {
 /// Thicknesses of a tank that corrodes.
 const AS_BUILT: &str = "Bottom plate and wall are those as built: the sheets of the codes take them less corrosion, and their uplift is larger for that.";
 
+/// What the waves of a foot leave out, and how far that goes in shells (docs/theory/base.md, section 6).
+const WAVES_AT_ONCE: &str = "The waves of the foot follow at once: the inertia of the liquid that ovals with the wall is left out. Four tanks lifted 1.1 to 1.5 times as far as shells, with 0.5 to 0.8 of their stress at the toe.";
+
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
     let mut list: Vec<String> = [
@@ -164,6 +167,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
+    list.extend(matches!(base.top(), Some(Top::Free | Top::Rings)).then(|| WAVES_AT_ONCE.into()));
     list.extend(setup.corrodes.then(|| AS_BUILT.into()));
     if let Some(heave) = &found.laws.heave {
         list.push(format!(

@@ -106,7 +106,10 @@ pub(super) fn doubt(plan: &Plan, shells: &[PushShell]) -> Option<String> {
     let states = shells.iter().flat_map(|shell| shell.path.iter().filter(lifted));
     let most = states.map(|p| p.acceleration).fold(0.0, f64::max);
     let suction = plate.base.suction(plate.suction() * most).filter(|suction| !suction.holds())?;
-    Some(format!("The strips beside the shells do not hold at the largest acceleration: {}.", suction.reason()))
+    Some(format!(
+        "The strips beside the shells do not hold at the largest acceleration: {}; they lift too far in the middle of the lifted side.",
+        suction.reason()
+    ))
 }
 
 /// Adds what the strips have at the rotations and accelerations of the paths.

@@ -202,7 +202,11 @@ impl<'a> Plan<'a> {
         let impulsive = Impulsive::new(case, radius, &levels)?;
         let plate = match case.tank.support {
             Support::Anchored => None,
-            Support::Unanchored => Some(Plate::of(case, radius, options.bottom_mesh)?),
+            Support::Unanchored => {
+                let plate = Plate::of(case, radius, options.bottom_mesh)?;
+                // As on the shells, whose liquid does not pull.
+                Some(Plate { base: plate.base.clone().without_pull(), ..plate })
+            }
         };
         Ok(Plan { plate, plane, case, options, radius, levels, angles, impulsive })
     }
