@@ -27,6 +27,8 @@ pub struct Probe {
     pub static_value: f64,
     /// Which modes count.
     pub modes: ModeSelection,
+    /// Unknowns whose displacements count in all modes, whatever `modes` says, with their coefficients: a wave at a wall that moves up and down.
+    pub rim: Vec<(usize, f64)>,
     /// Where around the tank it is, of an internal force.
     pub turn: Option<Turn>,
 }
@@ -62,6 +64,7 @@ impl Probe {
             ground_acceleration: 0.0,
             static_value: 0.0,
             modes: ModeSelection::All,
+            rim: Vec::new(),
             turn: None,
         }
     }

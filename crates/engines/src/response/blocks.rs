@@ -34,6 +34,7 @@ impl Block<'_> {
             entries.map(|(i, c)| (offset + i, factor * c)).collect()
         };
         let (d, a) = (&probe.displacement, &probe.absolute_acceleration);
+        row.displacement.extend(probe.rim.iter().map(|(i, c)| (offset + i, factor * c)));
         match probe.modes {
             ModeSelection::All => {
                 row.displacement.extend(scaled(d));

@@ -161,7 +161,14 @@ impl OnSlab<'_> {
         let mut row = self.longer(a);
         row[n] = self.scale[0] * (moved + probe.ground_acceleration);
         row[n + 1] = self.scale[1] * self.rigid.turned(probe, z, self.held);
+        // The elevation is that over the level surface; floor and rim go down by ψ r at θ = 0.
+        let radius = match probe.channel {
+            Channel::Wave(_) => Some(self.rigid.floor.radius),
+            Channel::WaveAt { r } => Some(r),
+            _ => None,
+        };
         Probe {
+            rim: radius.map(|r| (n + 1, self.scale[1] * r)).into_iter().collect(),
             displacement: if probe.displacement.is_empty() { Vec::new() } else { self.longer(&probe.displacement) },
             absolute_acceleration: if still { Vec::new() } else { row },
             ground_acceleration: 0.0,
