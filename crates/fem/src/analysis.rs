@@ -26,6 +26,7 @@
 //! | [`frequency`] | frequency domain, to check the time domain with |
 //! | [`ida`] | one model under one record at rising scales |
 
+pub mod border;
 pub mod buckling;
 pub mod caughey;
 pub mod checkpoint;

@@ -35,9 +35,11 @@
 
 use std::sync::Arc;
 
+use super::border::{Border, Bordered};
 use super::damping::Damping;
 use super::rings::RingLayout;
 use super::scheme::{LoadStep, Scheme, Weights};
+use super::system::System;
 use super::{AnalysisError, check_length};
 use crate::assembly::{Assembler, Forces, Kept, LinearPart};
 use crate::element::{ElementError, Want};
@@ -147,6 +149,8 @@ pub struct Newton<'a> {
     effective: Symmetric,
     /// Factor of `effective`, and the weights in it.
     factor: Option<(solver::Solver, Weights)>,
+    /// What the factor lacks of a moving base.
+    bordered: Option<Bordered>,
     /// Where elements are not assembled.
     rings: Option<Arc<RingLayout>>,
     zoned: Option<Zoned>,
@@ -187,6 +191,15 @@ pub struct Inertia<'a> {
     pub stiffness: &'a Symmetric,
     /// C; its modal part is rejected.
     pub damping: &'a Damping,
+    /// A moving base.
+    pub border: Option<&'a Border>,
+}
+
+impl<'a> From<&'a System> for Inertia<'a> {
+    fn from(system: &'a System) -> Inertia<'a> {
+        let System { mass, stiffness, damping, border, .. } = system;
+        Inertia { mass, stiffness, damping, border: border.as_ref() }
+    }
 }
 
 impl<'a> Newton<'a> {
@@ -205,7 +218,7 @@ impl<'a> Newton<'a> {
 
     /// The same with aids.
     ///
-    /// Errors: as [`Newton::new`]; tangent damping that is negative or of more groups than there are.
+    /// Errors: as [`Newton::new`]; tangent damping that is negative or of more groups than there are; a zone on a moving base.
     pub fn with_options(
         model: &'a Model,
         assembler: &'a Assembler,
@@ -228,6 +241,9 @@ impl<'a> Newton<'a> {
                 "a finite a_K ≥ 0 a group",
             ));
         }
+        if options.zone.is_some() && inertia.is_some_and(|i| i.border.is_some()) {
+            return Err(AnalysisError::option("Newton's method", "a zone on a moving base", "one of the two"));
+        }
         let viscous = given.iter().any(|a| *a != 0.0) && inertia.is_some();
         let zoned = options.zone.clone().map(|zone| Zoned::new(zone, assembler));
         let rings = match assembler.has_operators() && zoned.is_none() {
@@ -248,6 +264,7 @@ impl<'a> Newton<'a> {
             tangent: Symmetric::zeros(assembler.pattern().clone()),
             effective: Symmetric::zeros(assembler.pattern().clone()),
             factor: None,
+            bordered: None,
             rings,
             zoned,
             secants: secant::Secants::default(),
@@ -435,6 +452,9 @@ impl<'a> Newton<'a> {
             inertia.mass.add_product(-1.0, a, &mut rest);
             let minus = |_| [-1.0, 0.0];
             self.assembler.add_operator_products(self.model, minus, a, &mut rest);
+            if let Some(border) = inertia.border {
+                border.add_product(-1.0, a, &mut rest);
+            }
             rest
         };
         let [a, correction] = self.regular_mass(0.25e-6 * h * h, force, rest)?;

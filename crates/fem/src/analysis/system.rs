@@ -5,6 +5,7 @@
 //! not move relative to the ground.
 
 use super::AnalysisError;
+use super::border::Border;
 use super::damping::Damping;
 use crate::assembly::Assembler;
 use crate::linalg::{Symmetric, dot};
@@ -23,6 +24,8 @@ pub struct System {
     pub influence: [Vec<f64>; 3],
     /// M ι_k, held dofs included.
     pub inertia: [Vec<f64>; 3],
+    /// A moving base below, whose rows of M are not in `mass`.
+    pub border: Option<Border>,
 }
 
 impl System {
@@ -37,13 +40,14 @@ impl System {
             damping: Damping::none(),
             influence: [0, 1, 2].map(|k| model.vector(|_| unit(k))),
             inertia: [0, 1, 2].map(|k| assembler.inertia(model, |_| unit(k))),
+            border: None,
         })
     }
 
     /// A system of given matrices in which no held dof carries mass: M ι_k = M · ι_k.
     pub fn from_matrices(mass: Symmetric, stiffness: Symmetric, influence: [Vec<f64>; 3]) -> System {
         let inertia = [0, 1, 2].map(|k| mass.times(&influence[k]));
-        System { mass, stiffness, damping: Damping::none(), influence, inertia }
+        System { mass, stiffness, damping: Damping::none(), influence, inertia, border: None }
     }
 
     /// With damping.

@@ -232,39 +232,24 @@ impl Assembler {
     /// to held nodes (a clamped edge, a rigid wetted wall), which M times a vector of unknowns lacks.
     pub fn inertia(&self, model: &Model, field: impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
         let mut out = vec![0.0; model.dofs().len()];
-        let mut mass = LocalMatrix::default();
-        let (mut values, mut product) = (Vec::new(), Vec::new());
-        for (e, element) in model.elements().iter().enumerate() {
-            if !element.has_mass() {
-                continue;
-            }
-            values.clear();
-            for (a, &node) in element.nodes().iter().enumerate() {
-                let global = field(node);
-                values.extend(element.dofs(a).iter().map(|&d| match element.own_axes() {
-                    true => model.component(node, d, &global),
-                    false => global[d.index()],
-                }));
-            }
-            product.clear();
-            product.resize(values.len(), 0.0);
-            if let Some(operator) = element.operator() {
-                operator.add_mass(1.0, &values, &mut product);
-                self.scatter_vector(model, e, &mut product, &mut out);
-                continue;
-            }
-            mass.reset(values.len());
-            element.mass(&mut mass);
-            for (column, &x) in mass.data.chunks_exact(values.len()).zip(&values) {
-                if x != 0.0 {
-                    for (y, a) in product.iter_mut().zip(column) {
-                        *y += a * x;
-                    }
-                }
-            }
-            self.scatter_vector(model, e, &mut product, &mut out);
-        }
+        each_inertia(model, field, |e, product| self.scatter_vector(model, e, product, &mut out));
         out
+    }
+
+    /// wᵀ M x of two fields given at every node in global components, held dofs included on both sides.
+    pub fn inertia_between(
+        &self,
+        model: &Model,
+        virtual_field: impl Fn(usize) -> [f64; KINDS],
+        field: impl Fn(usize) -> [f64; KINDS],
+    ) -> f64 {
+        let mut sum = 0.0;
+        let mut values = Vec::new();
+        each_inertia(model, field, |e, product| {
+            local_field(model, &*model.elements()[e], &virtual_field, &mut values);
+            sum += values.iter().zip(&*product).map(|(w, f)| w * f).sum::<f64>();
+        });
+        sum
     }
 
     /// Nodal forces of a uniform acceleration field b [m/s²] (gravity: (0, 0, −g)).
@@ -278,6 +263,42 @@ impl Assembler {
             self.scatter_vector(model, e, &mut local, &mut out);
         }
         out
+    }
+}
+
+/// Local vector of a field given at every node in global components.
+fn local_field(model: &Model, element: &dyn Element, field: &impl Fn(usize) -> [f64; KINDS], values: &mut Vec<f64>) {
+    values.clear();
+    for (a, &node) in element.nodes().iter().enumerate() {
+        let global = field(node);
+        values.extend(element.dofs(a).iter().map(|&d| match element.own_axes() {
+            true => model.component(node, d, &global),
+            false => global[d.index()],
+        }));
+    }
+}
+
+/// Shows M_e x of every element with a mass.
+fn each_inertia(model: &Model, field: impl Fn(usize) -> [f64; KINDS], mut see: impl FnMut(usize, &mut [f64])) {
+    let mut mass = LocalMatrix::default();
+    let (mut values, mut product) = (Vec::new(), Vec::new());
+    for (e, element) in model.elements().iter().enumerate().filter(|(_, element)| element.has_mass()) {
+        local_field(model, &**element, &field, &mut values);
+        product.clear();
+        product.resize(values.len(), 0.0);
+        if let Some(operator) = element.operator() {
+            operator.add_mass(1.0, &values, &mut product);
+            see(e, &mut product);
+            continue;
+        }
+        mass.reset(values.len());
+        element.mass(&mut mass);
+        for (column, &x) in mass.data.chunks_exact(values.len()).zip(&values) {
+            if x != 0.0 {
+                product.iter_mut().zip(column).for_each(|(y, a)| *y += a * x);
+            }
+        }
+        see(e, &mut product);
     }
 }
 

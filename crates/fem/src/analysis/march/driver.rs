@@ -60,7 +60,7 @@ impl<'a> Driver<'a> {
         settings: &'a Settings,
     ) -> Result<Driver<'a>, AnalysisError> {
         let system = problem.system;
-        let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
+        let inertia = Inertia::from(system);
         let newton = Newton::with_options(
             problem.model,
             problem.assembler,

@@ -223,6 +223,9 @@ fn mass_product(problem: Problem<'_>, x: &[f64], out: &mut Vec<f64>) {
     out.resize(x.len(), 0.0);
     problem.system.mass.add_product(1.0, x, out);
     problem.assembler.add_operator_mass(problem.model, x, out);
+    if let Some(border) = &problem.system.border {
+        border.add_product(1.0, x, out);
+    }
 }
 
 fn hysteresis(problem: Problem<'_>, state: &State) -> f64 {

@@ -59,6 +59,17 @@ impl Reaction {
         self
     }
 
+    /// Its inertia under a unit acceleration of the ground along x, y and z, of which these are the motions of the unknowns.
+    pub fn carried(&self, influence: &[Vec<f64>; 3]) -> [f64; 3] {
+        self.moving.total_ground(influence)
+    }
+
+    /// With the inertia of further unknowns: those of a base that moves below.
+    pub fn with_acceleration(mut self, row: Vec<(usize, f64)>) -> Reaction {
+        self.moving.acceleration.extend(row);
+        self
+    }
+
     /// −Σ w · f of the elements that stand for the ground; NaN if one fails.
     fn of_ground(&self, now: &Instant<'_>) -> f64 {
         let model = now.problem.model;

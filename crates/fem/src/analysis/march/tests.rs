@@ -1,6 +1,7 @@
 //! Marches of a linear chain against direct integration, and of one with elastic-plastic links.
 
 mod adaptive;
+mod border;
 mod resume;
 
 use std::cell::RefCell;

@@ -241,6 +241,9 @@ impl Newton<'_> {
             mix(on_mass, &fields[0].a, &fields[1].a, blend);
             inertia.mass.add_product(1.0, blend, part);
             assembler.add_operator_mass(model, blend, part);
+            if let Some(border) = inertia.border {
+                border.add_product(1.0, blend, part);
+            }
         };
         let of_damping = |blend: &mut Vec<f64>, part: &mut Vec<f64>| {
             mix(on_force, &fields[0].v, &fields[1].v, blend);

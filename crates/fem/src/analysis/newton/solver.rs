@@ -1,6 +1,7 @@
 //! Solution with the effective tangent: by its factor, or by iteration where elements are not assembled.
 
 use super::{Inertia, Newton};
+use crate::analysis::border::Bordered;
 use crate::analysis::rings::RingSolver;
 use crate::analysis::scheme::Weights;
 use crate::analysis::zone::solver::ZoneSolver;
@@ -10,6 +11,8 @@ use crate::linalg::{Factor, Keep, LinalgError, Symmetric};
 /// Relative residual at which the iteration of one increment ends: Newton's next residual is new anyway, and with less than this
 /// more of them are needed.
 const TOLERANCE: f64 = 1e-3;
+/// The same of the columns of a moving base, with which the increments of the base are as exact as others.
+const PRECISE: f64 = 1e-6;
 /// The same where nothing corrects the solution.
 const EXACT: f64 = 1e-12;
 
@@ -73,7 +76,20 @@ impl Newton<'_> {
             }
         };
         self.factor = Some((solver, w));
+        self.bordered = None;
+        let bordered = self.border(w.mass)?;
+        self.bordered = bordered;
         Ok(())
+    }
+
+    /// What the factor lacks of a moving base; nothing in statics, which inertia does not enter.
+    fn border(&self, weight: f64) -> Result<Option<Bordered>, AnalysisError> {
+        let Some(border) = self.inertia.and_then(|i| i.border).filter(|_| weight != 0.0) else { return Ok(None) };
+        let solve = |column: &[f64]| {
+            let mut x = Vec::new();
+            self.substitute(column, &mut x, PRECISE).map(|_| x)
+        };
+        Bordered::new(border, weight, &self.effective, solve).map(Some)
     }
 
     /// The mean of the effective tangent, or of that with the initial stiffness if it is not positive definite; joints as they are.
@@ -104,6 +120,23 @@ impl Newton<'_> {
 
     /// x = A⁻¹ b with the factor there is.
     pub(super) fn back_substitute(&mut self, b: &[f64], x: &mut Vec<f64>) -> Result<(), AnalysisError> {
+        // Two solutions suffice for the criterion of forces.
+        let tolerance = TOLERANCE.min(self.options.criteria.force.sqrt());
+        let mut products = 0;
+        let mut solve = |b: &[f64], x: &mut Vec<f64>| {
+            products += self.substitute(b, x, tolerance)?;
+            Ok(())
+        };
+        match (&self.bordered, self.inertia.and_then(|i| i.border)) {
+            (Some(bordered), Some(border)) => bordered.solve(border, b, x, solve)?,
+            _ => solve(b, x)?,
+        }
+        self.cost.products += products as u64;
+        Ok(())
+    }
+
+    /// The same without a moving base, to a relative residual where it iterates; returns the number of products.
+    fn substitute(&self, b: &[f64], x: &mut Vec<f64>, tolerance: f64) -> Result<usize, AnalysisError> {
         let (solver, _) = self.factor.as_ref().ok_or(AnalysisError::option(
             "Newton's method",
             "no factor",
@@ -116,18 +149,14 @@ impl Newton<'_> {
                 let mut column = crate::linalg::Matrix { rows: x.len(), cols: 1, data: std::mem::take(x) };
                 let solved = factor.solve(&mut column);
                 *x = column.data;
-                solved.map_err(failed(WHAT))
+                solved.map(|_| 0).map_err(failed(WHAT))
             }
             Solver::Zone(solver) => {
                 solver.solve(b, x);
-                Ok(())
+                Ok(0)
             }
             Solver::Rings(solver) => {
-                // Two solutions suffice for the criterion of forces.
-                let tolerance = TOLERANCE.min(self.options.criteria.force.sqrt());
-                let solved = solver.solve(self.model, self.assembler, &self.effective, b, x, tolerance);
-                self.cost.products += solved.map_err(failed(WHAT))? as u64;
-                Ok(())
+                solver.solve(self.model, self.assembler, &self.effective, b, x, tolerance).map_err(failed(WHAT))
             }
         }
     }
@@ -154,25 +183,35 @@ impl Newton<'_> {
             solver.solve(&rest(&first), &mut second);
             return Ok([first, second]);
         }
-        match &self.rings {
+        let (model, assembler) = (self.model, self.assembler);
+        let solver: Box<dyn Fn(&[f64]) -> Result<Vec<f64>, AnalysisError> + '_> = match &self.rings {
             None => {
                 let factor = self.symbolic.factor(&regular, self.kind).map_err(&of_mass)?;
-                let first = factor.solve_vector(force).map_err(&after)?;
-                let second = factor.solve_vector(&rest(&first)).map_err(&after)?;
-                Ok([first, second])
+                Box::new(move |b| factor.solve_vector(b).map_err(&after))
             }
             Some(layout) => {
-                let (model, assembler) = (self.model, self.assembler);
                 let solver = RingSolver::new(layout, model, assembler, &regular, &shares).map_err(&of_mass)?;
-                let solve = |b: &[f64]| {
+                let regular = &regular;
+                Box::new(move |b| {
                     let mut x = Vec::new();
-                    let solved = solver.solve(model, assembler, &regular, b, &mut x, EXACT);
+                    let solved = solver.solve(model, assembler, regular, b, &mut x, EXACT);
                     solved.map(|_| x).map_err(&after)
-                };
-                let first = solve(force)?;
-                let second = solve(&rest(&first))?;
-                Ok([first, second])
+                })
             }
-        }
+        };
+        let Some(border) = inertia.border else {
+            let first = solver(force)?;
+            let second = solver(&rest(&first))?;
+            return Ok([first, second]);
+        };
+        let bordered = Bordered::new(border, 1.0, &regular, &solver)?;
+        let solve = |b: &[f64]| {
+            let mut x = Vec::new();
+            let own = |b: &[f64], x: &mut Vec<f64>| solver(b).map(|found| *x = found);
+            bordered.solve(border, b, &mut x, own).map(|()| x)
+        };
+        let first = solve(force)?;
+        let second = solve(&rest(&first))?;
+        Ok([first, second])
     }
 }

@@ -100,7 +100,7 @@ fn linear_is_a_special_case() {
         settings.scheme = scheme;
         let loads = [Load { forces: vec![(load.clone(), Motion::sampled(0.02, &force, &grid))], ..Load::default() }];
         let linear = integrate(&system, &symbolic, &loads, &settings, &[], &[], &Silent).unwrap().remove(0);
-        let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
+        let inertia = Inertia::from(&system);
         let mut newton = Newton::new(&model, &assembler, &symbolic, Some(inertia), Criteria::default()).unwrap();
         let mut state = State::new(&model);
         let step = scheme.with_step(0.02).unwrap();

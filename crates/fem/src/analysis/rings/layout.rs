@@ -110,7 +110,8 @@ impl RingLayout {
         }
         let slots = amplitudes.iter().map(|(_, a)| a.slot + 1).max().unwrap_or(0);
         let is_amplitude = |e: usize| amplitudes.iter().any(|(own, _)| *own == e);
-        if let Some(e) = (0..dofs.len()).find(|&e| of[e].0 == NONE && !is_amplitude(e)) {
+        let alone = alone(assembler.pattern(), |e| of[e].0 == NONE && !is_amplitude(e));
+        if let Some(e) = (0..dofs.len()).find(|&e| of[e].0 == NONE && !is_amplitude(e) && !alone[e]) {
             let (node, dof) = dofs.unknown(e);
             return Err(missing(format!("{dof} of node {node} on no ring")));
         }
@@ -271,6 +272,19 @@ impl RingLayout {
             }
         }
     }
+}
+
+/// Whether an unknown is `apart` and joined to others of them alone: those of a moving base, which its border solves for.
+fn alone(pattern: &Pattern, apart: impl Fn(usize) -> bool) -> Vec<bool> {
+    let mut alone: Vec<bool> = (0..pattern.size()).map(&apart).collect();
+    for j in 0..pattern.size() {
+        for &i in &pattern.rows[pattern.starts[j]..pattern.starts[j + 1]] {
+            if apart(i) != apart(j) {
+                (alone[i], alone[j]) = (false, false);
+            }
+        }
+    }
+    alone
 }
 
 /// Entries of the mean, and the entry of each place of a matrix.

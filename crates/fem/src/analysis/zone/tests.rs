@@ -148,7 +148,7 @@ fn a_spare_factor_serves_another_length_of_step() {
     let (model, assembler) = beam();
     let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree).unwrap());
     let system = System::new(&model, &assembler).unwrap();
-    let inertia = Inertia { mass: &system.mass, stiffness: &system.stiffness, damping: &system.damping };
+    let inertia = Inertia::from(&system);
     let begin = |zone: Option<Arc<Zone>>| {
         let options = Options { zone, ..Options::for_contact() };
         Newton::with_options(&model, &assembler, &symbolic, Some(inertia), options).unwrap()
