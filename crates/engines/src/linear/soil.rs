@@ -37,9 +37,11 @@ use crate::FeError;
 
 pub(super) use extend::Rigid;
 pub(crate) use floor::Floor;
+pub(crate) use ground::Ground;
 pub(super) use outcome::outcome;
+pub(crate) use outcome::part;
 pub use twin::slab_body;
-pub(crate) use under::under;
+pub(crate) use under::{founded, under};
 pub(crate) use words::note;
 
 /// Density of reinforced concrete [kg/m³], EN 1991-1-1:2002 table A.1.
@@ -87,12 +89,12 @@ impl Slab {
     }
 
     /// Mass [kg].
-    pub(super) fn mass(&self) -> f64 {
+    pub(crate) fn mass(&self) -> f64 {
         PI * self.disc.radius.powi(2) * self.thickness * CONCRETE
     }
 
     /// Moment of inertia about a diameter of the underside [kg m²].
-    pub(super) fn inertia(&self) -> f64 {
+    pub(crate) fn inertia(&self) -> f64 {
         self.mass() * (self.disc.radius.powi(2) / 4.0 + self.thickness.powi(2) / 3.0)
     }
 }

@@ -21,6 +21,7 @@ mod report;
 mod rings;
 pub(crate) mod section;
 mod simulate;
+mod slab;
 mod standing;
 mod standing_recorded;
 mod state;

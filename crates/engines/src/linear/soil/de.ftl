@@ -3,6 +3,9 @@ soil = Boden unter der Gründungsplatte
 soil-about =
     Der Tank bewegt sich auf einer starren Platte auf dem Boden. Der ganze Lauf des linearen Rechenkerns enthält die Bewegung der Platte;
     Eigenformen sowie impulsive Periode und Masse des Vergleichs sind die auf starrem Fuß.
+soil-about-nonlinear =
+    Der Tank bewegt sich auf einer starren Platte auf dem Boden. Der ganze Lauf enthält die Bewegung der Platte, mit Federn und Dämpfern wie im
+    linearen Rechenkern; Eigenformen und impulsive Periode des Vergleichs sind die auf starrem Fuß.
 soil-ground =
     { $slab }. Boden mit V_s = { $velocity }, { $density }, Querkontraktionszahl { $poisson }: statische Steifigkeit { $horizontal } und
     { $rocking }. Impulsive Eigenform { $mass } bei { $arm } über der Plattenunterseite, Dämpfung { $damping } auf starrem Fuß.
@@ -69,6 +72,7 @@ soil-bottom =
     Der Bodendruck dreht die Platte, und die Flüssigkeit auf dem sich drehenden Boden hat ihre Trägheit; das Gewicht von Flüssigkeit und
     Wand hat in der gedrehten Lage kein Moment.
 soil-modal = Die modale Dämpfung ist die des Tanks auf starrem Fuß; der Boden fügt seine Dämpfer hinzu.
+soil-relative = Die Dämpfung der Wand wirkt auf ihre Bewegung relativ zur Platte; der Boden fügt seine Dämpfer hinzu.
 soil-vertical = Die Vertikalbewegung ist die auf starrem Fuß.
 soil-disc = Die Platte ist eine Scheibe aus Stahlbeton von { $density } mit dem Radius des Bodenblechs.
 soil-no-mass = Ohne `tank.foundation.thickness` hat die Platte keine Masse.

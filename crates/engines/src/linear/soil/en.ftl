@@ -3,6 +3,9 @@ soil = Soil under the slab
 soil-about =
     The tank moves on a rigid slab on soil. The whole run of the linear engine contains the motion of the slab; modes and the
     impulsive period and mass of the comparison are those on a fixed base.
+soil-about-nonlinear =
+    The tank moves on a rigid slab on soil. The whole run contains the motion of the slab, with springs and dashpots as in the linear engine;
+    modes and the impulsive period of the comparison are those on a fixed base.
 soil-ground =
     { $slab }. Soil with V_s = { $velocity }, { $density }, Poisson's ratio { $poisson }: static stiffness { $horizontal } and
     { $rocking }. Impulsive mode { $mass } at { $arm } above the underside of the slab, damping { $damping } on a fixed base.
@@ -68,6 +71,7 @@ soil-bottom =
     The bottom pressure turns the slab, and the liquid on the turning floor has its inertia; the weight of liquid and wall has no moment
     in the turned position.
 soil-modal = Modal damping is that of the tank on a fixed base; the soil adds its dashpots.
+soil-relative = The damping of the wall acts on its motion relative to the slab; the soil adds its dashpots.
 soil-vertical = Vertical motion is that of a fixed base.
 soil-disc = The slab is a disc of reinforced concrete of { $density } with the radius of the bottom plate.
 soil-no-mass = Without `tank.foundation.thickness` the slab has no mass.

@@ -11,7 +11,7 @@ use crate::FeError;
 
 /// What holds a slab, about its underside.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Ground {
+pub(crate) struct Ground {
     /// Springs of x and ψ.
     pub spring: [[f64; 2]; 2],
     /// Dashpots of x and ψ, positive semi-definite.

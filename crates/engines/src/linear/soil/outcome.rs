@@ -13,7 +13,7 @@ use tank::options::LinearOptions as Options;
 use tank::units::Dimension;
 
 use super::ground::Ground;
-use super::under::impulsive;
+use super::under::{fixed, impulsive};
 use super::{CONCRETE, Slab};
 use crate::FeError;
 use crate::linear::analysis::{Analysis, LineExtremes, analyse};
@@ -56,9 +56,7 @@ pub(crate) fn outcome(
 ) -> Result<Option<(Part, Option<usize>)>, FeError> {
     let (Some(slab), true) = (Slab::of(case)?, model.fixed.is_some()) else { return Ok(None) };
     let Some(mode) = impulsive(case, model.held(), &model.damper, &slab) else { return Ok(None) };
-    let failed = |e: SoilError| FeError::Analysis(format!("the tank on soil: {e}"));
     let structure = mode.structure();
-    let effective = effective(&structure, &slab).map_err(failed)?;
     let ground = Ground::of(&slab, Some(mode))?;
     let fixed_model = model.on_fixed_base();
     let found = analyse(&fixed_model, motion, options, &Silent)?;
@@ -68,28 +66,61 @@ pub(crate) fn outcome(
         let held = fixed.get(&quantity).copied().filter(|held| *held != value)?;
         Some(Finding { held: Some(held), ..Finding::new(quantity.id(), value, quantity.dimension()) })
     });
-    let motion = [("base_translation", Channel::FoundationTranslation), ("base_rotation", Channel::FoundationRotation)];
-    let motion = motion.into_iter().filter_map(|(id, channel)| {
+    let motion = MOTION.into_iter().filter_map(|(id, channel)| {
         let (peak, time) = analysis.sides(channel)?.0.peak();
         Some(Finding { time: Some(time), ..Finding::new(id, peak.abs(), channel.dimension()) })
     });
-    let history = |channel: Channel| Block::History(History::new(&channel.id(), "axis", &[channel]));
-    let part = Part {
-        id: "soil".into(),
-        blocks: vec![
-            Block::Text(Message::new("soil-about")),
-            Block::Note(described(&slab, &structure)),
-            Block::Table(springs(&ground)),
-            Block::Table(Table::new("effective", &EFFECTIVE, effective)),
-            Block::Note(definitions(&ground)),
-            Block::values("motion", motion.collect()),
-            Block::values("beside", beside.collect()),
-            history(Channel::FoundationTranslation),
-            history(Channel::FoundationRotation),
-            assumptions(&slab),
-        ],
-    };
+    let values = vec![Block::values("motion", motion.collect()), Block::values("beside", beside.collect())];
+    let part = blocks((&slab, &structure, &ground), ["soil-about", "soil-modal"], values)?;
     Ok(Some((part, hoop)))
+}
+
+/// What is reported of a run of another model with its slab moving, whose largest translation and rotation with their times are `motion`; `None`
+/// without an impulsive mode.
+///
+/// Errors: those of the model on a fixed base; no effective period.
+pub(crate) fn part(
+    case: &Case,
+    (slab, ground): (&Slab, &Ground),
+    motion: [(f64, f64); 2],
+) -> Result<Option<Part>, FeError> {
+    let Some(mode) = fixed(case, slab)? else { return Ok(None) };
+    let motion = MOTION.into_iter().zip(motion).map(|((id, channel), (peak, time))| Finding {
+        time: Some(time),
+        ..Finding::new(id, peak, channel.dimension())
+    });
+    let values = vec![Block::values("motion", motion.collect())];
+    let said = ["soil-about-nonlinear", "soil-relative"];
+    blocks((slab, &mode.structure(), ground), said, values).map(Some)
+}
+
+/// The slab's motion among the values.
+const MOTION: [(&str, Channel); 2] =
+    [("base_translation", Channel::FoundationTranslation), ("base_rotation", Channel::FoundationRotation)];
+
+/// The part with these values and with what is said of the run and of its damping.
+///
+/// Errors: no effective period.
+fn blocks(
+    (slab, structure, ground): (&Slab, &Structure, &Ground),
+    [about, damping]: [&str; 2],
+    values: Vec<Block>,
+) -> Result<Part, FeError> {
+    let failed = |e: SoilError| FeError::Analysis(format!("the tank on soil: {e}"));
+    let effective = effective(structure, slab).map_err(failed)?;
+    let history = |channel: Channel| Block::History(History::new(&channel.id(), "axis", &[channel]));
+    let mut blocks = vec![
+        Block::Text(Message::new(about)),
+        Block::Note(described(slab, structure)),
+        Block::Table(springs(ground)),
+        Block::Table(Table::new("effective", &EFFECTIVE, effective)),
+        Block::Note(definitions(ground)),
+    ];
+    blocks.extend(values);
+    blocks.push(history(Channel::FoundationTranslation));
+    blocks.push(history(Channel::FoundationRotation));
+    blocks.push(assumptions(slab, damping));
+    Ok(Part { id: "soil".into(), blocks })
 }
 
 /// Columns of period and damping.
@@ -172,7 +203,7 @@ fn springs(ground: &Ground) -> Table {
     Table::new("cones", &columns, rows)
 }
 
-fn assumptions(slab: &Slab) -> Block {
+fn assumptions(slab: &Slab, damping: &str) -> Block {
     let said = |ids: &[&str]| -> Vec<Message> { ids.iter().map(|id| Message::new(&format!("soil-{id}"))).collect() };
     let mut items = match &slab.embedded {
         None => said(&["rigid", "meek"]),
@@ -184,7 +215,9 @@ fn assumptions(slab: &Slab) -> Block {
             vec![Message::new("soil-rigid-layers"), layered]
         }
     };
-    items.extend(said(&["bottom", "modal", "vertical"]));
+    items.extend(said(&["bottom"]));
+    items.push(Message::new(damping));
+    items.extend(said(&["vertical"]));
     items.push(match slab.thickness > 0.0 {
         true => {
             let density = Amount::new(CONCRETE, Dimension::Density).form(Form::Given);

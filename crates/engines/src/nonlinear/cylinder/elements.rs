@@ -122,21 +122,14 @@ pub(super) fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint
     builder.element(ROOF, ring.carrying(1.0 - case.tank.roof.on_columns));
 }
 
-pub(super) fn add_liquid(
-    case: &Case,
-    builder: &mut Builder,
-    cells: &Cells,
-    wetted: &[usize],
-    options: &NonlinearOptions,
-    (operator, floor): (bool, Option<&LiquidFloor>),
-) -> Result<(WallLiquid, Vec<usize>, usize), FeError> {
+/// The liquid over the wetted nodes and the `rings` of a floor that moves.
+pub(super) fn condense(case: &Case, cells: &Cells, operator: bool, rings: &[f64]) -> Result<WallLiquid, FeError> {
     let (radius, depth) = (case.tank.shape.half_length(), case.liquid.fill_height);
     let mut heights = cells.z[..cells.wet(depth)].to_vec();
     if let Some(last) = heights.last_mut() {
         *last = depth;
     }
     let mesh = LiquidMesh::graded(radius, depth, 1.0);
-    let rings = floor.map_or(&[][..], |floor| &floor.radii);
     let harmonic = HarmonicLiquid::with_floor(
         [radius, case.liquid.density, case.gravity],
         cells.sectors,
@@ -147,16 +140,27 @@ pub(super) fn add_liquid(
     .map_err(failed)?;
     let families = if cells.half { 2 } else { 3 };
     let modes = families * SLOSHING_MODES;
-    let liquid = if operator {
-        WallLiquid::Circular(CircularLiquid::new(&harmonic, cells.half, modes).map_err(failed)?)
-    } else {
-        let whole = match cells.half {
-            true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
-            false => CondensedLiquid::of_harmonic(&harmonic),
-        };
-        let modes = modes.min(whole.surface());
-        WallLiquid::Dense(whole.with_sloshing_modes(modes).map_err(failed)?)
+    if operator {
+        return Ok(WallLiquid::Circular(CircularLiquid::new(&harmonic, cells.half, modes).map_err(failed)?));
+    }
+    let whole = match cells.half {
+        true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
+        false => CondensedLiquid::of_harmonic(&harmonic),
     };
+    let modes = modes.min(whole.surface());
+    Ok(WallLiquid::Dense(whole.with_sloshing_modes(modes).map_err(failed)?))
+}
+
+pub(super) fn add_liquid(
+    case: &Case,
+    builder: &mut Builder,
+    cells: &Cells,
+    wetted: &[usize],
+    options: &NonlinearOptions,
+    (operator, floor): (bool, Option<&LiquidFloor>),
+) -> Result<(WallLiquid, Vec<usize>, usize), FeError> {
+    let depth = case.liquid.fill_height;
+    let liquid = condense(case, cells, operator, floor.map_or(&[][..], |floor| &floor.radii))?;
     let amplitudes: Vec<usize> = liquid.omega().iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
     let ratio = match options.damping {
         Wanted::ByGroup { sloshing, .. } => sloshing,

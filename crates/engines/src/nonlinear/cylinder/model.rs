@@ -11,6 +11,7 @@
 //! Horizontal ground motion is along x; with `symmetry` only 0 ≤ θ ≤ π is there.
 
 mod damping;
+mod order;
 mod statics;
 
 use std::collections::BTreeMap;
@@ -20,13 +21,13 @@ use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::Problem;
 use fem::analysis::system::System;
 use fem::analysis::zone::Zone;
-use fem::assembly::{Assembler, order};
-use fem::dofs::{Dof, DofMap};
+use fem::assembly::Assembler;
+use fem::dofs::Dof;
+use fem::element::interlayer;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
-use fem::element::{Element, interlayer};
-use fem::linalg::{Ordering, Pattern, Symbolic};
+use fem::linalg::Symbolic;
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -34,11 +35,12 @@ use tank::Case;
 use tank::Shape;
 
 use super::contact::{Join, Joints};
-use super::elements::{WALL, add_liquid, add_roof, build_rows, fit, iterates, penalty, pressures, support};
+use super::elements::{WALL, add_liquid, add_roof, build_rows, condense, fit, iterates, penalty, pressures, support};
 use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
 use super::rings::name_rings;
 use super::section::RowBuild;
+use super::slab::{Founded, MovingSlab};
 use super::standing::{self, ANCHOR, Standing};
 use crate::error::failed;
 use crate::nonlinear::bottom::{BOTTOM, GROUND, Plate};
@@ -90,6 +92,8 @@ pub(crate) struct CylinderModel {
     pub zone: Option<Arc<Zone>>,
     /// The liquid's floor over that bottom.
     pub floor: Option<LiquidFloor>,
+    /// The slab that moves on soil.
+    pub slab: Option<MovingSlab>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -222,6 +226,8 @@ struct Parts {
     joints: Option<Joints>,
     standing: Option<Standing>,
     floor: Option<LiquidFloor>,
+    /// A slab on soil, with the liquid over its floor that turns.
+    founded: Option<(Founded, WallLiquid)>,
     liquid: WallLiquid,
     /// Number of its element, and whether that is not assembled.
     liquid_element: usize,
@@ -292,6 +298,14 @@ impl Parts {
             standing.found(plate, case, builder, options, &mut pressure)?;
             standing.wet(plate, builder, floor, operator)?;
         }
+        let founded = match crate::linear::soil::founded(case)?.filter(|_| plate.is_none()) {
+            Some(found) => {
+                let sloshing = first_sloshing(&liquid);
+                let own = Founded::add(found, builder, (cells.half, radius, sloshing))?;
+                Some((own, condense(case, &cells, operator, &[radius, 0.0])?))
+            }
+            None => None,
+        };
         Ok(Parts {
             radius,
             cells,
@@ -303,6 +317,7 @@ impl Parts {
             joints,
             standing,
             floor,
+            founded,
             liquid,
             liquid_element,
             operator,
@@ -339,7 +354,7 @@ impl CylinderModel {
             Some(_) if parts.operator => Some(ground_zone(&model, &assembler)?),
             _ => None,
         };
-        let symbolic = symbolic(&model, &assembler, parts.liquid_element)?;
+        let symbolic = order::symbolic(&model, &assembler, parts.liquid_element)?;
         let system = System::new(&model, &assembler).map_err(failed)?;
         let weight = match options.self_weight {
             true => assembler.body_force(&model, [0.0, 0.0, -case.gravity]),
@@ -371,6 +386,7 @@ impl CylinderModel {
             standing: parts.standing,
             zone,
             floor: parts.floor,
+            slab: None,
             areas,
             sloshing_omega: first_sloshing(&parts.liquid),
             liquid: parts.liquid,
@@ -387,6 +403,9 @@ impl CylinderModel {
             },
         };
         out.wall_omega = out.damped_mode(case, options)?;
+        if let Some((founded, over_floor)) = parts.founded {
+            MovingSlab::install(&mut out, founded, &over_floor);
+        }
         out.set_damping(options.damping)?;
         Ok(out)
     }
@@ -406,7 +425,7 @@ impl CylinderModel {
         self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
     }
 
-    /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes. Cosine and
+    /// Row of the surface's elevation at the wall, over its rim on a slab that turns, at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes. Cosine and
     /// sine of a mode have one frequency, and their amplitudes may be mixed: frequencies are counted.
     pub(crate) fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
         let wall = self.liquid.wall();
@@ -427,7 +446,8 @@ impl CylinderModel {
         }
         let unknowns = self.liquid_unknowns();
         let of = |(e, c): (&Option<usize>, &f64)| e.filter(|_| *c != 0.0).map(|e| (e, *c));
-        unknowns.iter().zip(&row).filter_map(of).collect()
+        let rim = self.slab.iter().flat_map(|slab| slab.rim(theta));
+        unknowns.iter().zip(&row).filter_map(of).chain(rim).collect()
     }
 
     /// Equations of the liquid's unknowns, in its order; none where a support holds the wall.
@@ -438,45 +458,4 @@ impl CylinderModel {
         let floor = floor.map(|&n| dofs.equation(n, Dof::Amplitude));
         wall.chain(floor).chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
     }
-}
-
-/// Order of elimination: the wall by nested dissection, then the amplitudes and the radial displacements that the liquid
-/// joins; or minimum degree if that takes fewer operations.
-fn symbolic(model: &Model, assembler: &Assembler, liquid: usize) -> Result<Arc<Symbolic>, FeError> {
-    let dofs = model.dofs();
-    let element = &model.elements()[liquid];
-    if element.operator().is_some() {
-        let found = Symbolic::new(assembler.pattern().clone(), &order(model, assembler.pattern()));
-        return Ok(Arc::new(found.map_err(failed)?));
-    }
-    let mut joined = vec![false; dofs.len()];
-    equations(dofs, &**element).for_each(|e| joined[e] = true);
-    let rest: Vec<usize> = (0..dofs.len()).filter(|&e| !joined[e]).collect();
-    let mut place = vec![usize::MAX; dofs.len()];
-    rest.iter().enumerate().for_each(|(k, &e)| place[e] = k);
-    let others = model.elements().iter().enumerate().filter(|(e, _)| *e != liquid);
-    let places = |e: usize| Some(place[e]).filter(|k| *k != usize::MAX);
-    let cliques: Vec<Vec<usize>> =
-        others.map(|(_, element)| equations(dofs, &**element).filter_map(places).collect()).collect();
-    let pattern = Pattern::from_cliques(rest.len(), cliques.iter().map(Vec::as_slice));
-    let node_of: Vec<usize> = rest.iter().map(|&e| dofs.unknown(e).0).collect();
-    let given = match Ordering::best(&pattern, &node_of, model.nodes()) {
-        Ordering::Given(order) => {
-            let mut all: Vec<usize> = order.iter().map(|&k| rest[k]).collect();
-            all.extend((0..dofs.len()).filter(|&e| joined[e]));
-            Ordering::Given(all)
-        }
-        other => other,
-    };
-    let of = |ordering: &Ordering| Symbolic::new(assembler.pattern().clone(), ordering).map_err(failed);
-    let (dissected, degree) = (of(&given)?, of(&Ordering::MinimumDegree)?);
-    Ok(Arc::new(if degree.flops() < dissected.flops() { degree } else { dissected }))
-}
-
-/// Equations of the unknowns of an element, in its order.
-fn equations<'a>(dofs: &'a DofMap, element: &'a dyn Element) -> impl Iterator<Item = usize> + 'a {
-    let of = move |(local, &node): (usize, &'a usize)| {
-        element.dofs(local).iter().filter_map(move |&dof| dofs.equation(node, dof))
-    };
-    element.nodes().iter().enumerate().flat_map(of)
 }

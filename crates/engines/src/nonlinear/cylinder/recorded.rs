@@ -77,7 +77,11 @@ pub(super) fn base_reaction(
         field
     };
     let rayleigh = |e: usize| -> Rayleigh { tank.rayleigh[tank.model.group_of(e)] };
-    Ok(Quantity::Reaction(Reaction::new(tank.problem(), name, field, rayleigh)?))
+    let reaction = Reaction::new(tank.problem(), name, field, rayleigh)?;
+    Ok(Quantity::Reaction(match &tank.slab {
+        Some(slab) => slab.carry(reaction, tank, (axis, moment)),
+        None => reaction,
+    }))
 }
 
 /// A linear functional of the displacements.

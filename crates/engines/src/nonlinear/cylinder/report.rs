@@ -93,7 +93,7 @@ fn notes(case: &Case, tank: &CylinderModel, end: &End, events: &[Event]) -> Vec<
     if case.tank.support == Support::Unanchored && tank.standing.is_none() {
         notes.push(HELD_DOWN.into());
     }
-    notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, false));
+    notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, tank.slab.is_some()));
     match end {
         End::Completed | End::Left { .. } => {}
         End::Interrupted { time } => {
@@ -157,6 +157,10 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
     }
     if tank.standing.is_some() {
         push(Channel::BaseRotation, &recorder.histories[BASE_ROTATION], None);
+    }
+    let slab = watch.foundation.into_iter().flatten();
+    for (k, channel) in slab.zip([Channel::FoundationTranslation, Channel::FoundationRotation]) {
+        push(channel, &recorder.histories[k], Some(extremes(watch, k).swing()));
     }
     if let Some(open) = extremes::open_history(tank, watch) {
         push(Channel::Open, &open, None);

@@ -8,9 +8,13 @@ use tank::options::nonlinear::NonlinearOptions;
 
 use super::super::CheckpointFile;
 use super::march::Cylinder;
+use super::model::CylinderModel;
 use super::report::report;
+use super::watch::Watch;
 use crate::checks::checked_motion;
+use crate::linear::soil;
 use crate::{FeError, Simulation};
+use results::Part;
 
 /// Time history of a cylinder.
 ///
@@ -29,5 +33,15 @@ pub(crate) fn simulate(
     if run.outcome == Outcome::Interrupted && watch.recorder.times.len() < 2 {
         return Err(FeError::Interrupted { stage: "the nonlinear run".into() });
     }
-    Ok(report(&cylinder, &watch, &run))
+    let mut simulation = report(&cylinder, &watch, &run);
+    simulation.result.parts.extend(on_soil(case, &cylinder.tank, &watch)?);
+    Ok(simulation)
+}
+
+/// What is reported of a slab that moves; none of another tank.
+///
+/// Errors: those of the model on a fixed base.
+fn on_soil(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Result<Option<Part>, FeError> {
+    let (Some(slab), Some(numbers)) = (&tank.slab, watch.foundation) else { return Ok(None) };
+    soil::part(case, (&slab.slab, &slab.ground), numbers.map(|k| watch.recorder.ranges[k].peak()))
 }

@@ -5,6 +5,7 @@ mod curve;
 mod imperfect;
 mod opening;
 mod resume;
+mod soil;
 mod standing;
 mod two;
 

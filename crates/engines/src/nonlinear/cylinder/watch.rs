@@ -86,6 +86,8 @@ pub(crate) struct Watch<'a> {
     interval: f64,
     /// Histories.
     pub recorder: QuantityObserver,
+    /// Numbers of the translation and the rotation of a slab that moves among them.
+    pub foundation: Option<[usize; 2]>,
     /// The observations.
     pub seen: Seen,
     /// Where bonded liquid would separate from the wall; unused where the contact opens.
@@ -124,10 +126,16 @@ impl<'a> Watch<'a> {
         if two {
             recorded.extend(two::quantities(tank)?);
         }
+        let foundation = tank.slab.as_ref().map(|slab| {
+            let first = recorded.len();
+            recorded.extend(slab.motion());
+            [first, first + 1]
+        });
         let fan = two.then(|| two::fan(&tank.cells));
         let others = fan.as_ref().map_or(0, Vec::len);
         Ok(Watch {
             recorder: QuantityObserver::new(recorded),
+            foundation,
             separation: SeparationCheck::new(tank.unit_weight, tank.depth, heights.clone()),
             unknowns: tank.liquid_unknowns(),
             directions: angles.iter().map(|t| [t.cos(), t.sin()]).collect(),
@@ -277,12 +285,17 @@ impl<'a> Watch<'a> {
         for (a, [c, s]) in a.iter_mut().zip(&self.directions) {
             *a += c * now.ground[0] + s * now.ground[1];
         }
+        let heights: Vec<f64> = self.tank.wetted.iter().map(|&n| self.tank.model.nodes()[n][2]).collect();
+        let on_slab = self.tank.slab.as_ref().map(|slab| {
+            let places = heights.iter().copied().zip(self.directions.iter().copied());
+            slab.accelerate(&fields.a, &mut a, places)
+        });
         let u = of(&fields.u);
-        let force = self.tank.liquid.forces(&a, &u);
+        let mut force = self.tank.liquid.forces(&a, &u);
+        force.iter_mut().zip(on_slab.iter().flatten()).for_each(|(f, own)| *f += own);
         let rises = self.rise.times(&u[wall..]);
         let vertical = now.ground[2] * self.tank.unit_weight / self.tank.gravity;
         let depth = self.tank.depth;
-        let heights: Vec<f64> = self.tank.wetted.iter().map(|&n| self.tank.model.nodes()[n][2]).collect();
         let pressure = |i: usize| {
             let area = self.tank.areas[i];
             let own = if area > 0.0 { -force[i] / area } else { 0.0 };

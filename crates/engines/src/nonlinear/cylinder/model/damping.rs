@@ -10,6 +10,7 @@ use tank::{Case, Support};
 use super::super::contact::JOINT;
 use super::super::elements::WALL;
 use super::super::floor::FLOOR;
+use super::super::slab::SLAB;
 use super::super::standing::ANCHOR;
 use super::CylinderModel;
 use crate::FeError;
@@ -142,13 +143,13 @@ impl CylinderModel {
         };
         self.rayleigh.fill(all);
         self.wall_ratio = all.ratio(self.wall_omega);
-        self.system.damping = match self.contact() {
+        self.system.damping = match self.contact() || self.slab.is_some() {
             false => Damping::rayleigh(all),
             true => {
-                // An open joint must not pull through damping either.
+                // An open joint must not pull through damping either; the soil has its own.
                 let groups = self.rayleigh.iter_mut().zip(self.model.groups());
                 groups
-                    .filter(|(_, name)| [JOINT, GROUND, KEY, FLOOR, ANCHOR].contains(&name.as_str()))
+                    .filter(|(_, name)| [JOINT, GROUND, KEY, FLOOR, ANCHOR, SLAB].contains(&name.as_str()))
                     .for_each(|(own, _)| *own = Rayleigh::NONE);
                 Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
             }
