@@ -101,7 +101,7 @@ impl Basis {
                 points.push(([r * angle.cos(), r * angle.sin()], 0.5 * radius * w * r * TAU / f64::from(angles)));
             }
         }
-        Basis::tables(Shape::Cylinder { radius }, modes, points)
+        Basis::tables(Shape::Cylinder { radius }, modes, (points, angles as usize))
     }
 
     /// Modes cos nπ(x/L + ½), n = 1 to `count`, of a rectangle.
@@ -115,10 +115,11 @@ impl Basis {
         let points = (0..points)
             .map(|i| ([length * ((i as f64 + 0.5) / points as f64 - 0.5), 0.0], length * width / points as f64))
             .collect();
-        Basis::tables(Shape::Strip { length, width }, modes, points)
+        Basis::tables(Shape::Strip { length, width }, modes, (points, 1))
     }
 
-    fn tables(shape: Shape, modes: Vec<Mode>, points: Vec<(Place, f64)>) -> Basis {
+    /// Values at the points, of which `ring` after each other have the same radius: Bessel functions cost more than all that is done with them.
+    fn tables(shape: Shape, modes: Vec<Mode>, (points, ring): (Vec<(Place, f64)>, usize)) -> Basis {
         let blocks = points.len().div_ceil(LANES);
         let size = blocks * modes.len() * LANES;
         let mut basis = Basis {
@@ -133,11 +134,15 @@ impl Basis {
             places: vec![[0.0; 2]; blocks * LANES],
             areas: vec![0.0; blocks * LANES],
         };
+        let mut radial = Vec::new();
         for (p, &(place, area)) in points.iter().enumerate() {
             basis.places[p] = place;
             basis.areas[p] = area;
+            if p % ring == 0 {
+                radial = (0..basis.modes.len()).map(|j| basis.along(j, place)).collect();
+            }
             for j in 0..basis.modes.len() {
-                let [f, first, second] = basis.at(j, place);
+                let [f, first, second] = basis.around(j, place, radial[j]);
                 let at = basis.index(p, j);
                 basis.value[at] = f;
                 basis.slope[0][at] = first;
@@ -181,7 +186,12 @@ impl Basis {
 
     /// A mode at a place: its value, and its slopes along r and θ (cylinder) or x (strip) [1/m].
     pub fn at(&self, mode: usize, place: Place) -> [f64; 3] {
-        let Mode { wave_number: k, harmonic: m, sine } = self.modes[mode];
+        self.around(mode, place, self.along(mode, place))
+    }
+
+    /// The same but for the factors cos mθ, sin mθ of a cylinder.
+    fn along(&self, mode: usize, place: Place) -> [f64; 3] {
+        let Mode { wave_number: k, harmonic: m, .. } = self.modes[mode];
         match self.shape {
             Shape::Strip { length, .. } => {
                 let phase = k * (place[0] + 0.5 * length);
@@ -191,18 +201,25 @@ impl Basis {
             }
             Shape::Cylinder { .. } if k == 0.0 => [1.0, 0.0, 0.0],
             Shape::Cylinder { radius } => {
-                let (r, angle) = (place[0].hypot(place[1]), place[1].atan2(place[0]));
+                let r = place[0].hypot(place[1]);
                 let wall = bessel_j(m, k * radius);
-                let j = bessel_j(m, k * r) / wall;
-                let slope = 0.5 * k * (bessel_j(m - 1, k * r) - bessel_j(m + 1, k * r)) / wall;
+                let [before, j, after] = [m - 1, m, m + 1].map(|m| bessel_j(m, k * r) / wall);
                 // m J_m(kr)/r without a division by a radius of zero.
-                let over = 0.5 * k * (bessel_j(m - 1, k * r) + bessel_j(m + 1, k * r)) / wall;
-                let (sin, cos) = (f64::from(m) * angle).sin_cos();
-                let (around, along) = if sine { (sin, cos) } else { (cos, -sin) };
-                let over = if m == 0 { 0.0 } else { over };
-                [j * around, slope * around, over * along]
+                let over = if m == 0 { 0.0 } else { 0.5 * k * (before + after) };
+                [j, 0.5 * k * (before - after), over]
             }
         }
+    }
+
+    /// With those factors.
+    fn around(&self, mode: usize, place: Place, [value, slope, over]: [f64; 3]) -> [f64; 3] {
+        let Mode { harmonic: m, sine, .. } = self.modes[mode];
+        if let Shape::Strip { .. } = self.shape {
+            return [value, slope, over];
+        }
+        let (sin, cos) = (f64::from(m) * place[1].atan2(place[0])).sin_cos();
+        let (around, along) = if sine { (sin, cos) } else { (cos, -sin) };
+        [value * around, slope * around, over * along]
     }
 }
 
