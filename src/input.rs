@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod fragility;
 pub mod named;
 pub mod records;
+pub(crate) mod rotation;
 pub mod set;
 mod stdin;
 pub mod study;

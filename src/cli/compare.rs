@@ -68,8 +68,8 @@ pub(crate) struct Args {
     /// Folder for report.html, results.json, series.csv and figures/.
     #[arg(long, short, value_name = "FOLDER", default_value = "out")]
     out: PathBuf,
-    /// Rotational acceleration of the base about y, positive where the top moves along x: a table under `time_s,rotation_rad_s2`. Of an anchored
-    /// cylinder in the harmonic engine.
+    /// Rotational acceleration of the base about y, positive where the top moves along x: a table under `time_s,rotation_rad_s2`, in place of that of
+    /// `analysis.quake_rotation`. Of an anchored tank in the harmonic engine.
     #[arg(long, value_name = "FILE", requires = "quake", conflicts_with = "set")]
     quake_rotation: Option<PathBuf>,
     /// Finite-element engine [default: harmonic; solid for a box less broad than seven heights of its walls].
@@ -256,11 +256,9 @@ fn jobs(args: &Args) -> Result<(Job, Option<SetJob>), Error> {
     }
     choose(&mut job, args)?;
     if let Some(path) = &args.quake_rotation {
-        if set.is_some() {
-            return Err(Error::conflict("--quake-rotation: found a set of records, expected one"));
-        }
         rotation::add(&mut job, path)?;
     }
+    rotation::check(&job, set.is_some())?;
     match &mut set {
         None => leave_out(&mut job, args),
         Some(set) => set.adopt(&job)?,

@@ -300,3 +300,44 @@ fn a_rotation_is_refused_where_no_base_turns() {
         assert!(stderr(&run).contains(word), "`{word}` is missing in: {}", stderr(&run));
     }
 }
+
+/// The key of the tank file turns the base as the option does; what it excludes is said at its place.
+#[test]
+fn a_rotation_is_a_key_of_the_tank_file() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    file(home.path(), "turn.csv", b"time_s,rotation_rad_s2\n0,0\n0.2,0.1\n0.4,-0.2\n0.6,0.1\n0.8,0\n");
+    let example = std::fs::read_to_string(TANK).expect("an example");
+    let keyed = |keys: &str| example.replacen("\"analysis\": {", &format!("\"analysis\": {{ {keys},"), 1);
+    let run = |text: &str, arguments: &[&str]| {
+        let tank = file(home.path(), "tank.json", text.as_bytes());
+        let out = home.path().join("out");
+        let fixed = ["compare", tank.to_str().expect("text"), "--no-report", "--no-mesh-error", "--format", "json"];
+        let fixed = fixed.into_iter().chain(["--out", out.to_str().expect("text")]);
+        tankcheck(&fixed.chain(arguments.iter().copied()).collect::<Vec<_>>())
+    };
+    let burst = ["--quake", "harmonic:amplitude=0.01g,period=2,cycles=2"];
+    let with = |more: &[&'static str]| burst.iter().chain(more).copied().collect::<Vec<_>>();
+    let key = keyed("\"quake_rotation\": \"turn.csv\"");
+    let turn = home.path().join("turn.csv");
+    let option = burst.iter().copied().chain(["--quake-rotation", turn.to_str().expect("text")]).collect::<Vec<_>>();
+    let quantities = |run: &std::process::Output| {
+        String::from_utf8_lossy(&run.stdout).split("\"quantities\"").nth(1).map(str::to_owned)
+    };
+    let (by_key, by_option, still) = (run(&key, &burst), run(&example, &option), run(&example, &burst));
+    assert!(quantities(&by_key).is_some(), "{}", stderr(&by_key));
+    assert_eq!(quantities(&by_key), quantities(&by_option));
+    assert_ne!(quantities(&by_key), quantities(&still));
+    for (text, arguments, words) in [
+        (&keyed("\"quake_rotation\": \"nowhere.csv\""), with(&[]), ["analysis.quake_rotation", "nowhere.csv"]),
+        (&keyed("\"quake_rotation\": \"tank.json\""), with(&[]), ["tank.json: found the head", "equal steps of time"]),
+        (&key, with(&["--fe", "solid"]), ["analysis.quake_rotation", "use --fe harmonic"]),
+        (&key, with(&["--fe", "nonlinear"]), ["analysis.quake_rotation", "use --fe harmonic"]),
+        (&key, with(&["--quake-y", QUAKE]), ["analysis.quake_rotation", "remove --quake-y"]),
+        (&key, with(&["--integrator", "newmark"]), ["analysis.quake_rotation", "modal integration"]),
+        (&key, ["--quake", QUAKE].repeat(3), ["analysis.quake_rotation", "a set of records"]),
+    ] {
+        let run = run(text, &arguments);
+        assert_eq!(run.status.code(), Some(2), "{words:?}: {}", stderr(&run));
+        assert!(words.iter().all(|word| stderr(&run).contains(word)), "{words:?} are missing in: {}", stderr(&run));
+    }
+}

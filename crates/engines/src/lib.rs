@@ -40,7 +40,6 @@ pub use linear::mesh_error::errors as mesh_errors;
 pub use linear::prepared::{Prepared, Response};
 pub use linear::shared::Shared;
 pub use linear::soil::slab_body;
-pub use linear::turned::turns_no_base;
 pub use linear::{simulate, simulate_watched};
 pub use registry::{ALL, engine};
 pub use tank::options::LinearOptions as Options;

@@ -64,7 +64,7 @@ const TWO_STEPS: &str =
     "The records differ in their time step: the vertical one is linearised within the steps of the analysis.";
 
 /// Remark on a base that turns.
-const TURNS: &str = "The base turns (--quake-rotation): values are those relative to it, gravity acts across the tank as it leans, and the code \
+const TURNS: &str = "The base turns (`analysis.quake_rotation`): values are those relative to it, gravity acts across the tank as it leans, and the code \
     procedures leave the rotation out.";
 
 /// The comparable values of a run.
@@ -422,7 +422,7 @@ fn large(
         wave: demands.wave.map_or(0.0, |peak| peak.value),
     };
     let reported = linear.extent != Extent::Values;
-    large_wave::beside(case, (options.liquid, reported), motion, &held)
+    large_wave::beside(case, (options.liquid, reported), (motion, options.rotation.as_ref()), &held)
 }
 
 /// Remarks on what model and analysis leave out of the tank and its motion.

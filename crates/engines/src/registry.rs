@@ -7,6 +7,7 @@ use tank::{PLANE_WALLS, Shape, Support};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
+use crate::linear::turned::turns_no_base;
 use crate::linear::{Extent, Pictures, simulate_to};
 use crate::nonlinear::scope::{self, Purpose};
 use crate::{FeError, harmonic, nonlinear, solid};
@@ -47,6 +48,17 @@ fn joint(task: &Task<'_>, engine: EngineId) -> Option<Refusal> {
         _ => ("this engine clamps the foot of the wall", "use --fe harmonic"),
     };
     Some(Refusal::new(Place::WallBase, message, "\"kind\": \"fixed\"").help(help))
+}
+
+/// A base whose rotation is given, which the harmonic engine alone turns.
+fn turning(task: &Task<'_>, engine: EngineId) -> Option<Refusal> {
+    task.linear.rotation.as_ref()?;
+    let (message, help) = match engine {
+        EngineId::Harmonic => turns_no_base(task.case, task.linear)?,
+        EngineId::Solid => ("the three-dimensional engine does not turn the base", "use --fe harmonic"),
+        EngineId::Nonlinear => ("the nonlinear engine does not turn the base", "use --fe harmonic"),
+    };
+    Some(Refusal::new(Place::Rotation, message, "an anchored tank in the harmonic engine").help(help))
 }
 
 /// A rectangular tank has walls of its own along y, which only three dimensions have; a strip has none.
@@ -103,6 +115,7 @@ impl Engine for Harmonic {
             .into_iter()
             .chain(plates(task))
             .chain(joint(task, EngineId::Harmonic))
+            .chain(turning(task, EngineId::Harmonic))
             .collect()
     }
 
@@ -145,6 +158,7 @@ impl Engine for Solid {
         all.extend(across_imperfections(task));
         all.extend(box_on_isolators(task));
         all.extend(joint(task, EngineId::Solid));
+        all.extend(turning(task, EngineId::Solid));
         all
     }
 
@@ -174,6 +188,7 @@ impl Engine for Nonlinear {
                     .help("remove analysis.damping.dashpots, or use --fe harmonic or --fe solid"),
             );
         }
+        all.extend(turning(task, EngineId::Nonlinear));
         all
     }
 

@@ -29,6 +29,8 @@ pub enum Place {
     Sectors,
     /// Ground motion along y.
     Transverse,
+    /// Rotation of the base.
+    Rotation,
     /// Deviations of the wall from the perfect cylinder.
     Imperfections,
     /// Dashpots of the linear engines.

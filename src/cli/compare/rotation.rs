@@ -1,108 +1,52 @@
-//! `--quake-rotation`: a base that turns, by a table of its rotational acceleration.
+//! A base that turns: `--quake-rotation` beside the key `analysis.quake_rotation`.
 
 use std::path::Path;
 
-use oscillator::record::Record;
+use tank::refusal::Place;
 
 use crate::cli::inputs::source;
 use crate::error::Error;
 use crate::input::records::load;
+use crate::input::rotation;
 use crate::job::Job;
+use engines::engine;
 use files::code::Code;
-use results::EngineId;
 
-/// Columns of the table.
-const HEAD: &str = "time_s,rotation_rad_s2";
-/// Largest rotational acceleration [rad/s²]: 5 g at 1 m.
-const LARGEST: f64 = 50.0;
-/// Most samples.
-const MOST: usize = 2_000_000;
+/// The option.
+const OPTION: &str = "--quake-rotation";
 
-/// Puts the rotation of a file into a job.
+/// Puts the rotation of a file into a job, in place of that of the tank file.
 ///
-/// Errors: a file that cannot be read or is not such a table; an engine or a tank whose base is not turned.
+/// Errors: a file that cannot be read or is not such a table; no engine.
 pub(super) fn add(job: &mut Job, path: &Path) -> Result<(), Error> {
-    let conflict = |reason: &str| Err(Error::conflict(format!("--quake-rotation: {reason}")));
-    if job.engines.as_slice() != [EngineId::Harmonic] {
-        return conflict("the harmonic engine alone turns the base\n  help: use --fe harmonic");
-    }
-    if let Some(reason) = engines::turns_no_base(&job.case, &job.linear) {
-        return conflict(reason);
+    if job.engines.is_empty() {
+        return Err(Error::conflict(format!(
+            "{OPTION}: found no engine; code procedures leave the rotation out\n  help: use --fe harmonic"
+        )));
     }
     let bytes = load::load(path)?;
-    let text = load::decode(&bytes).map_err(|_| fault(path, "a file that is not text".into()))?;
+    let fault = |found| {
+        let text = format!("{OPTION} {}: found {found}, expected {}", path.display(), rotation::FORM);
+        Error::input(Code::OptionValue, text)
+    };
+    job.linear.rotation = Some(rotation::read(&bytes, OPTION).map_err(fault)?);
     job.files.push(source("rotation of the base", path, &load::sha256(&bytes)));
-    job.linear.rotation = Some(read(&text).map_err(|found| fault(path, found))?);
     Ok(())
 }
 
-fn fault(path: &Path, found: String) -> Error {
-    let text = format!(
-        "--quake-rotation {}: found {found}, expected rotational accelerations of the base in equal steps of time, under the head \
-         `{HEAD}`",
-        path.display()
-    );
-    Error::input(Code::OptionValue, text)
-}
-
-/// Reads the rotation of a table; the error says what was found instead.
-fn read(text: &str) -> Result<Record, String> {
-    let mut lines = text.lines().enumerate().filter(|(_, line)| {
-        let line = line.trim();
-        !line.is_empty() && !line.starts_with('#')
-    });
-    let head: String = lines.next().map_or("", |(_, line)| line).chars().filter(|c| !c.is_whitespace()).collect();
-    if head != HEAD {
-        return Err(format!("the head `{}`", files::text::line(&head)));
+/// Errors: a rotation under a set of records or under none; an engine that does not turn the base of this tank.
+pub(super) fn check(job: &Job, of_set: bool) -> Result<(), Error> {
+    let Some(rotation) = job.linear.rotation.as_ref().filter(|_| !job.engines.is_empty()) else { return Ok(()) };
+    let refuse = |what: &str| Err(Error::conflict(format!("{}: {what}", rotation.name)));
+    if of_set {
+        return refuse("found a set of records, expected one");
     }
-    let mut samples: Vec<[f64; 2]> = Vec::new();
-    for (number, line) in lines {
-        let numbers: Vec<f64> = line.split(',').map_while(|cell| cell.trim().parse().ok()).collect();
-        let [time, rotation] = numbers[..] else {
-            return Err(format!("line {}: `{}`", number + 1, files::text::line(line)));
-        };
-        if !time.is_finite() || rotation.is_nan() || rotation.abs() > LARGEST {
-            return Err(format!("line {}: {rotation} rad/s² at {time} s, more than {LARGEST} rad/s²", number + 1));
-        }
-        samples.push([time, rotation]);
-        if samples.len() > MOST {
-            return Err(format!("more than {MOST} lines"));
-        }
+    if job.case.ground_motion.is_none() {
+        return refuse("found no record, expected one beside the rotation\n  help: give a record with --quake");
     }
-    let (Some(first), Some(last), true) = (samples.first(), samples.last(), samples.len() > 1) else {
-        return Err(format!("{} sample(s)", samples.len()));
-    };
-    let dt = (last[0] - first[0]) / (samples.len() - 1) as f64;
-    let uneven = |(i, sample): &(usize, &[f64; 2])| (sample[0] - first[0] - *i as f64 * dt).abs() >= 0.05 * dt;
-    if let Some((i, sample)) = samples.iter().enumerate().find(uneven) {
-        return Err(format!("{} s at sample {}, which is not a step of {dt} s", sample[0], i + 1));
-    }
-    if first[0].abs() > 0.05 * dt {
-        return Err(format!("a first time of {} s, not 0", first[0]));
-    }
-    let acceleration = samples.iter().map(|sample| sample[1]).collect();
-    Ok(Record { name: "rotation".into(), dt, acceleration, processing: Vec::new() })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_table_in_equal_steps_is_a_rotation_and_no_other_is() {
-        let found = read("# of a table\ntime_s, rotation_rad_s2\n0,0\n0.02,-0.15\n0.04,0.2\n").expect("a rotation");
-        assert_eq!((found.dt, found.acceleration), (0.02, vec![0.0, -0.15, 0.2]));
-        for (other, wrong) in [
-            ("time_s,acceleration_m_s2\n0,0\n0.02,1\n", "head"),
-            ("time_s,rotation_rad_s2\n0,0\n0.02,x\n", "line 3"),
-            ("time_s,rotation_rad_s2\n0,0\n0.02,60\n", "50 rad/s²"),
-            ("time_s,rotation_rad_s2\n0,0\n0.02,1\n0.05,1\n", "not a step"),
-            ("time_s,rotation_rad_s2\n0.02,0\n0.04,1\n", "not 0"),
-            ("time_s,rotation_rad_s2\n0,1\n", "1 sample"),
-            ("", "head"),
-        ] {
-            let found = read(other).expect_err(other);
-            assert!(found.contains(wrong), "{found}");
-        }
+    let refused = job.engines.iter().flat_map(|&id| engine(id).refuses(&job.task()));
+    match refused.into_iter().find(|refusal| refusal.place == Place::Rotation) {
+        Some(refusal) => refuse(&format!("{}\n  help: {}", refusal.message, refusal.help)),
+        None => Ok(()),
     }
 }

@@ -93,7 +93,8 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         without,
     };
     let analysis = file.analysis.value();
-    let fe = linear::analysis(&mut r, analysis, tank.as_ref(), damping);
+    let mut fe = linear::analysis(&mut r, analysis, tank.as_ref(), damping);
+    fe.rotation = linear::rotation(&mut r, analysis, folder);
     let mut solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
     let mut nonlinear =
         nonlinear::nonlinear(&mut r, analysis.and_then(|a| a.nonlinear.value()), tank.as_ref(), damping);

@@ -15,6 +15,7 @@ use std::f64::consts::TAU;
 use fem::liquid::large_wave::{
     BREAKING, Basis, Energy, Forces, Liquid, Motion, Properties, Reason, Run, Sampled, Side, Stop, run,
 };
+use oscillator::record::Record;
 use results::channel::Side as WallSide;
 use results::part::{Amount, Axis, Block, Chart, Form, Line, Look, Message, Room, Scale, Table};
 use results::{Channel, Finding, Part};
@@ -25,6 +26,7 @@ use tank::options::linear::LiquidModel;
 use tank::units::Dimension;
 use tank::{Case, Quantity, Shape};
 
+use super::turned::angles;
 use crate::Simulation;
 
 /// Id of the part.
@@ -82,13 +84,13 @@ pub(crate) fn put(asked: LiquidModel, simulation: &mut Simulation) {
     simulation.values.extend(own);
 }
 
-/// The nonlinear liquid under the motion that the tank feels: where the options ask for it, or the linear wave of a run that is reported is not small.
+/// The nonlinear liquid under the motion that the tank feels, with the rotation of its base: where the options ask for it, or the linear wave of a run that is reported is not small.
 /// It counts where it is asked for, where its wave breaks, and where the factor of the crest is
 /// no longer exact.
 pub(crate) fn beside(
     case: &Case,
     (asked, reported): (LiquidModel, bool),
-    motion: &GroundMotion,
+    motion: (&GroundMotion, Option<&Record>),
     held: &Held<'_>,
 ) -> Option<Beside> {
     let large = LargeWave::of(case);
@@ -98,8 +100,9 @@ pub(crate) fn beside(
         return None;
     }
     let duration = (count - 1) as f64 * held.step;
-    let (linear, nonlinear) =
-        rayon::join(|| Marched::new(case, motion, duration, 1), || Marched::new(case, motion, duration, 3));
+    let basis = basis(case, motion.0.transverse.is_some());
+    let marched = |order| Marched::new(case, basis.clone(), (motion, duration), order);
+    let (linear, nonlinear) = rayon::join(|| marched(1), || marched(3));
     let breaks = nonlinear.run.stop.is_some() || nonlinear.run.breaks.is_some();
     let counts = all || breaks || large.excess(held.wave) > large.fitted();
     let found = Found { case, asked, held, large, counts, linear, nonlinear };
@@ -107,31 +110,45 @@ pub(crate) fn beside(
     Some(if (alone / held.wave - 1.0).abs() > OTHER { found.left_out(alone) } else { found.beside() })
 }
 
-/// The motion without its horizontal acceleration.
+/// The modes of a tank's plan; `across`: whether it is shaken along y as well.
+fn basis(case: &Case, across: bool) -> Basis {
+    match case.tank.shape {
+        Shape::Cylinder { radius } => Basis::cylinder(radius, RADIAL, if across { Side::Both } else { Side::Cosine }),
+        Shape::Rectangle { length, breadth, .. } => Basis::strip(length, breadth, ALONG),
+    }
+}
+
+/// The motion without its horizontal acceleration and rotation.
 fn without_horizontal(motion: Motion) -> Motion {
     Motion { vertical: motion.vertical, ..Motion::default() }
 }
 
-/// The components at the step of the record along x.
-fn sampled(motion: &GroundMotion) -> Sampled {
+/// The components at the step of the record along x, for a duration [s].
+fn sampled((motion, rotation): (&GroundMotion, Option<&Record>), duration: f64) -> Sampled {
     let step = motion.horizontal.dt;
-    let count = (motion.duration() / step).ceil() as usize + 1;
-    let at = |record: Option<&oscillator::record::Record>, time: f64| {
-        let Some(record) = record else { return 0.0 };
-        let place = time / record.dt;
-        let first = place.floor() as usize;
-        let value = |i: usize| record.acceleration.get(i).copied().unwrap_or(0.0);
-        value(first) + (place - first as f64) * (value(first + 1) - value(first))
-    };
+    let count = (duration / step).ceil() as usize + 1;
+    let at = |record: Option<&Record>, time: f64| record.map_or(0.0, |r| between(&r.acceleration, time / r.dt));
+    let angles = rotation.map_or_else(Vec::new, |r| angles(r.dt, r.acceleration.windows(2).map(|w| (w[0], w[1]))));
+    // The base stays as it leans when the record of its rotation ends.
+    let last = angles.len().saturating_sub(1) as f64;
     let samples = (0..count).map(|i| {
         let time = i as f64 * step;
+        let tilt = rotation.map_or(0.0, |r| between(&angles, (time / r.dt).min(last)));
         Motion {
             acceleration: [at(Some(&motion.horizontal), time), at(motion.transverse.as_ref(), time)],
             vertical: at(motion.vertical.as_ref(), time),
-            ..Motion::default()
+            tilt: [tilt, 0.0],
+            angular: [at(rotation, time), 0.0],
         }
     });
     Sampled::new(step, samples.collect())
+}
+
+/// The value at a place among samples, linear between them, zero after the last.
+fn between(samples: &[f64], place: f64) -> f64 {
+    let first = place.floor() as usize;
+    let value = |i: usize| samples.get(i).copied().unwrap_or(0.0);
+    value(first) + (place - first as f64) * (value(first + 1) - value(first))
 }
 
 /// A march with its forces.
@@ -302,13 +319,13 @@ fn stopped(stop: Stop) -> Message {
 }
 
 impl Marched {
-    /// The liquid of a case under a motion for a duration [s].
-    fn new(case: &Case, motion: &GroundMotion, duration: f64, order: usize) -> Marched {
-        let side = if motion.transverse.is_some() { Side::Both } else { Side::Cosine };
-        let basis = match case.tank.shape {
-            Shape::Cylinder { radius } => Basis::cylinder(radius, RADIAL, side),
-            Shape::Rectangle { length, breadth, .. } => Basis::strip(length, breadth, ALONG),
-        };
+    /// The liquid of a case, on the modes of its plan, under a motion for a duration [s].
+    fn new(
+        case: &Case,
+        basis: Basis,
+        (motion, duration): ((&GroundMotion, Option<&Record>), f64),
+        order: usize,
+    ) -> Marched {
         let own = Properties {
             depth: case.liquid.fill_height,
             density: case.liquid.density,
@@ -317,7 +334,7 @@ impl Marched {
             order,
         };
         let liquid = Liquid::new(basis, own);
-        let run = run(&liquid, &sampled(motion), duration, None, without_horizontal);
+        let run = run(&liquid, &sampled(motion, duration), duration, None, without_horizontal);
         let forces = liquid.forces(run.frames());
         Marched { liquid, run, forces }
     }

@@ -92,8 +92,8 @@ impl Model {
         options: &Options,
         (motion, rotation): (&GroundMotion, &Record),
     ) -> Result<Model, FeError> {
-        if let Some(reason) = turned::turns_no_base(case, options) {
-            return Err(FeError::Unsupported(format!("--quake-rotation: {reason}")));
+        if let Some((reason, help)) = turned::turns_no_base(case, options) {
+            return Err(FeError::Unsupported(format!("{}: {reason}; {help}", rotation.name)));
         }
         let grid = self.grid(motion, Integrator::Modal)?;
         let turned = Turned::driven(&self.horizontal, case, &grid, (&motion.horizontal, rotation))?;

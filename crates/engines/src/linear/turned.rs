@@ -26,7 +26,7 @@ use results::Channel;
 use results::channel::OnWall;
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
-use tank::{Case, Shape, Support, WallBase};
+use tank::{Case, Support, WallBase};
 
 use super::soil::{Rigid, Slab};
 use super::system::Harmonic;
@@ -86,20 +86,13 @@ impl Turned {
         }
         let (along, turn) = (Motion::new(along, grid), Motion::new(rotation, grid));
         let h = grid.h();
-        let (mut velocity, mut angle, mut largest) = (0.0, 0.0, 0.0_f64);
-        let mut acceleration = vec![along.at(0)];
-        for i in 0..grid.steps() {
-            if i < turn.last() {
-                let (start, end) = turn.interval(i);
-                angle += h * (velocity + h * (2.0 * start + end) / 6.0);
-                velocity += 0.5 * h * (start + end);
-            }
-            largest = largest.max(angle.abs());
-            acceleration.push(along.at(i + 1) - case.gravity * angle);
-        }
+        let angles = angles(h, (0..grid.steps().min(turn.last())).map(|i| turn.interval(i)));
+        let largest = angles.iter().fold(0.0_f64, |most, angle| most.max(angle.abs()));
+        let angle = |i: usize| angles[i.min(angles.len() - 1)];
+        let acceleration = (0..=grid.steps()).map(|i| along.at(i) - case.gravity * angle(i)).collect();
         if largest > MOST {
             return Err(FeError::Option {
-                option: "--quake-rotation".into(),
+                option: rotation.name.clone(),
                 found: format!("an angle of up to {largest:.3} rad by integration from rest"),
                 allowed: format!("at most {MOST} rad: a record without drift"),
             });
@@ -112,6 +105,17 @@ impl Turned {
     pub(crate) fn motions(&self, grid: &Grid) -> [Motion; 2] {
         [&self.acceleration, &self.rotation].map(|values| Motion::sampled(self.step, values, grid))
     }
+}
+
+/// ψ at the start and the ends of steps [rad], from ψ̈ at the start and the end of each, linear between, by integration from rest.
+pub(super) fn angles(step: f64, rates: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+    let (mut velocity, mut angle) = (0.0, 0.0);
+    let next = rates.map(|(start, end)| {
+        angle += step * (velocity + step * (2.0 * start + end) / 6.0);
+        velocity += 0.5 * step * (start + end);
+        angle
+    });
+    std::iter::once(0.0).chain(next).collect()
 }
 
 /// The system under a rotation of wall and floor.
@@ -148,30 +152,33 @@ fn whole(coupled: &mut Coupled, rigid: &Rigid, gravity: f64) -> Result<(), FeErr
 /// Largest angle of a base whose rotation is given [rad]: sin ψ and ψ differ by 0.2 %.
 const MOST: f64 = 0.1;
 
-/// Why the linear engine does not turn the base of a tank; none where it does.
-pub fn turns_no_base(case: &Case, options: &Options) -> Option<&'static str> {
+/// Why the harmonic engine does not turn the base of a tank, and what to do; none where it does.
+pub(crate) fn turns_no_base(case: &Case, options: &Options) -> Option<(&'static str, &'static str)> {
     let foundation = matches!(Slab::of(case), Ok(None));
     let motion = case.ground_motion.as_ref();
+    let remove = "remove the rotation of the base";
     let reasons = [
-        (!matches!(case.tank.shape, Shape::Cylinder { .. }), "the base of a cylinder alone is turned"),
-        (
-            case.tank.support == Support::Unanchored,
-            "the base of an anchored tank alone is turned; this one is unanchored",
-        ),
-        (case.tank.isolators.is_some(), "a base on isolators turns by itself; remove `tank.isolators`"),
-        (!foundation, "a slab on soil turns by itself; remove `tank.foundation.shear_wave_velocity`"),
-        (case.tank.wall_base != WallBase::Fixed, "the base of a wall that is clamped to it alone is turned"),
+        (case.tank.support == Support::Unanchored, "an unanchored tank turns by itself", remove),
+        (case.tank.isolators.is_some(), "a base on isolators turns by itself", "remove `tank.isolators`"),
+        (!foundation, "a slab on soil turns by itself", "remove `tank.foundation.shear_wave_velocity`"),
+        (case.tank.wall_base != WallBase::Fixed, "the base of a wall that is clamped to it alone is turned", remove),
         (
             motion.is_some_and(|m| m.transverse.is_some()),
-            "the base turns under one horizontal component; remove --quake-y",
+            "the base turns under one horizontal component",
+            "remove --quake-y",
         ),
         (
             !options.dashpots.is_empty(),
-            "dashpots to the ground stay where they are; remove `analysis.damping.dashpots`",
+            "dashpots to the ground do not turn with the base",
+            "remove `analysis.damping.dashpots`",
         ),
-        (options.integrator == Integrator::Newmark, "the base turns with modal integration; remove \"newmark\""),
+        (
+            options.integrator == Integrator::Newmark,
+            "the base turns with modal integration",
+            "remove the integrator \"newmark\"",
+        ),
     ];
-    reasons.into_iter().find(|(applies, _)| *applies).map(|(_, reason)| reason)
+    reasons.into_iter().find(|(applies, ..)| *applies).map(|(_, reason, help)| (reason, help))
 }
 
 /// The system under a rotation.

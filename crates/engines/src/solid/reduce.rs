@@ -162,7 +162,7 @@ pub(super) fn turning(case: &Case, tank: &TankModel, system: &System, slab: &Sla
         let [x, y, z] = nodes[node];
         let r = x.hypot(y);
         let key = [r, z].map(|v| (v / RING).round() as i64);
-        let below = *rings.entry(key).or_insert_with(|| floor.as_ref().map_or(0.0, |floor| floor.potential(r, z)));
+        let below = *rings.entry(key).or_insert_with(|| floor.potential(r, z));
         *value = of_walls + if r > 0.0 { below * x / r } else { 0.0 };
     }
     Ok(whole)

@@ -1,6 +1,10 @@
 //! `analysis`: options of the linear engines.
 
+use std::path::Path;
+
 use files::code::Code;
+use oscillator::record::Record;
+use results::InputValue;
 use tank::options::frequency::FrequencyOptions;
 use tank::options::linear::{
     CaugheyPairs, DampingModel, Dashpots, Heave, Integrator, LiquidModel, WallDirection, WallPlace,
@@ -15,6 +19,8 @@ use super::nonlinear::{ByGroup, by_group};
 use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
 use super::response::{ResponseSpectrum, response};
 use super::solid::Solid;
+use crate::input::records::load;
+use crate::input::rotation;
 use crate::input::tank::choice::choice;
 use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
@@ -63,6 +69,10 @@ object! {
         /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes; a time, or
         /// the peak of a history by name.
         snapshots: Opt<Vec<Field<Moment>>> [SNAPSHOTS],
+        /// Rotational acceleration of the base about y beside the record, positive where the top moves along x: a CSV file with the columns time_s and
+        /// rotation_rad_s2 in equal steps from 0; relative to the tank file. The keys of `record` do not scale it. Of an anchored tank in the harmonic
+        /// engine.
+        quake_rotation ("rotation.csv"): Opt<String> = Absent::Without("the base does not turn with the record"),
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
         /// Inertia of wall and roof that the foot of an unanchored cylinder with `tank.bottom` lifts and drops as it rocks, by the harmonic engine.
@@ -157,6 +167,35 @@ pub(super) fn analysis(
         spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
         frequency: frequency(r, &given.frequency),
         rotation: None,
+    }
+}
+
+/// The rotation of the base, from a file beside the tank file.
+///
+/// * `folder`: of the tank file
+pub(super) fn rotation(r: &mut Resolver<'_>, given: Option<&Analysis>, folder: &Path) -> Option<Record> {
+    let field = given?.quake_rotation.given.as_ref()?;
+    let name = r.text(field)?;
+    let bytes = load::load(&folder.join(&name)).map_err(|error| error.to_string());
+    let read = bytes.and_then(|bytes| {
+        let wrong = |found: String| format!("{name}: found {found}");
+        Ok((rotation::read(&bytes, &field.path).map_err(wrong)?, load::sha256(&bytes)))
+    });
+    match read {
+        Ok((record, sha256)) => {
+            let count = record.acceleration.len();
+            r.echo.push(InputValue {
+                path: format!("{} (sha256 {}…)", field.path, &sha256[..16]),
+                text: format!("{count} samples in steps of {} s, peak {:.4} rad/s2", record.dt, record.pga()),
+                default: false,
+                source: String::new(),
+            });
+            Some(record)
+        }
+        Err(message) => {
+            r.faults.push(range_fault(Code::TableShape, field, &message, rotation::FORM));
+            None
+        }
     }
 }
 

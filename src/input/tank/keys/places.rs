@@ -56,6 +56,9 @@ pub(super) fn of(file: &TankFile) -> Places {
     if let Some(imperfections) = file.analysis.value().and_then(|a| a.imperfections.place()) {
         all.insert(Place::Imperfections, imperfections);
     }
+    if let Some(rotation) = file.analysis.value().and_then(|a| a.quake_rotation.place()) {
+        all.insert(Place::Rotation, rotation);
+    }
     let damping = file.analysis.value().and_then(|a| a.damping.value());
     if let Some(dashpots) = damping.and_then(|d| d.dashpots.place()) {
         all.insert(Place::Dashpots, dashpots);

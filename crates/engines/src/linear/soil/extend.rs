@@ -56,7 +56,7 @@ impl Rigid {
 
     /// On a slab of this thickness, mass and moment of inertia.
     fn on(coupled: &Coupled, case: &Case, [t, own_mass, own_inertia]: [f64; 3]) -> Option<Rigid> {
-        let floor = Floor::of(case)?;
+        let floor = Floor::of(case);
         let below = coupled.probe(Channel::OverturningMoment)?;
         let (row, arm) = (&below.absolute_acceleration, &coupled.moment_arm);
         let wall = coupled.mass.times(arm);
