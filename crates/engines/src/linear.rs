@@ -49,7 +49,7 @@ use results::channel::OnWall;
 use results::nonlinear::End;
 use results::{EngineId, Envelope, Mode, Run, SeriesInfo, Snapshots};
 use tank::options::LinearOptions as Options;
-use tank::options::linear::Integrator;
+use tank::options::linear::{Integrator, LiquidModel};
 
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;
@@ -59,6 +59,9 @@ const SIDE_WALLS: &str = "The rectangular tank is modelled as a plane strip of i
 /// Remark on dashpots beside a spectrum.
 const NO_DASHPOTS: &str =
     "`analysis.damping.dashpots`: the response-spectrum method combines uncoupled modes and leaves the dashpots out.";
+/// Remark on the wall under a nonlinear liquid.
+const LINEAR_WALL: &str = "--liquid nonlinear: waves, base shear and moments are those of the nonlinear liquid; pressures on the wall and its stresses are those of the \
+    linear one.";
 /// Remark on two records.
 const TWO_STEPS: &str =
     "The records differ in their time step: the vertical one is linearised within the steps of the analysis.";
@@ -430,6 +433,7 @@ fn remarks(case: &Case, options: &Options, linear: &Linear<'_>, motion: &GroundM
     let mut notes = model_notes(case, linear.engine);
     notes.extend(applying([
         (!options.dashpots.is_empty() && case.site.is_given(), NO_DASHPOTS),
+        (options.liquid == LiquidModel::Nonlinear && linear.engine == EngineId::Harmonic, LINEAR_WALL),
         (motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt), TWO_STEPS),
     ]));
     notes.extend(Around::notes(motion));
@@ -449,7 +453,7 @@ fn model_notes(case: &Case, engine: EngineId) -> Vec<String> {
 }
 
 /// The remarks whose condition is met.
-fn applying(said: [(bool, &str); 2]) -> impl Iterator<Item = String> {
+fn applying<const N: usize>(said: [(bool, &str); N]) -> impl Iterator<Item = String> {
     said.into_iter().filter(|(applies, _)| *applies).map(|(_, text)| text.to_owned())
 }
 

@@ -2,7 +2,8 @@ large_wave = Nichtlineare Flüssigkeit
 
 large_wave-asked =
     Die Flüssigkeit ist wie verlangt nichtlinear (`--liquid nonlinear`): die lineare Welle von { $wave } steht daneben. Bis { $limit } ist eine Welle
-    klein, und ihr Wellenberg höchstens ein Zehntel höher als nach linearer Theorie.
+    klein, und ihr Wellenberg höchstens ein Zehntel höher als nach linearer Theorie. Drücke auf die Wand und Spannungen in ihr sind die der linearen
+    Flüssigkeit.
 large_wave-passed =
     Die lineare Welle von { $wave } ist nicht klein: über { $limit } ist ihr Wellenberg um mehr als ein Zehntel höher. Deshalb wurde die Flüssigkeit
     ein zweites Mal nichtlinear berechnet. Die Werte des Laufs und der Wellenberg, den sein Freibord aufnehmen muss, sind die der linearen

@@ -2,7 +2,7 @@ large_wave = Nonlinear liquid
 
 large_wave-asked =
     The liquid is nonlinear as asked for (`--liquid nonlinear`): the linear wave of { $wave } stands beside it. Up to { $limit } a wave is
-    small, and its crest at most a tenth higher than that of linear theory.
+    small, and its crest at most a tenth higher than that of linear theory. Pressures on the wall and stresses in it are those of the linear liquid.
 large_wave-passed =
     The linear wave of { $wave } is not small: above { $limit } its crest is more than a tenth higher. So the liquid was computed a second
     time as a nonlinear one. The values of the run, and the crest that its freeboard has to hold, are those of the linear liquid.

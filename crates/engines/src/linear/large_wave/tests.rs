@@ -69,6 +69,10 @@ fn small_waves_are_those_of_the_linear_run() {
     assert!(linear.result.part(PART).is_none());
     let asked = run(&case, LiquidModel::Nonlinear);
     let part = asked.result.part(PART).unwrap();
+    let remark = |simulation: &Simulation| {
+        simulation.notes.iter().any(|note| note.contains("its stresses are those of the linear one"))
+    };
+    assert!(remark(&asked) && !remark(&linear));
     for quantity in [Quantity::BaseShear, Quantity::BaseMoment, Quantity::OverturningMoment] {
         let [own, other] = [linear.values[&quantity], asked.values[&quantity]];
         assert!((other / own - 1.0).abs() < 0.02, "{quantity:?}: {own} {other}");
