@@ -14,14 +14,14 @@ const LARGEST: f64 = 50.0;
 /// Most samples.
 const MOST: usize = 2_000_000;
 
-/// The rotation of the bytes of a file; what was found where it is none. `origin` is its name in messages.
+/// The rotation of the bytes of a file; the error says what was found instead. `origin` is its name in messages.
 pub(crate) fn read(bytes: &[u8], origin: &str) -> Result<Record, String> {
     let text = load::decode(bytes).map_err(|_| "a file that is not text")?;
     let (dt, acceleration) = table(&text)?;
     Ok(Record { name: origin.into(), dt, acceleration, processing: Vec::new() })
 }
 
-/// Time step and values of a table; what was found where it is none.
+/// Time step and values of a table; the error says what was found instead.
 fn table(text: &str) -> Result<(f64, Vec<f64>), String> {
     let mut lines = text.lines().enumerate().filter(|(_, line)| {
         let line = line.trim();
