@@ -163,7 +163,7 @@ impl OnSlab<'_> {
         row[n + 1] = self.scale[1] * self.rigid.turned(probe, z, self.held);
         // The elevation is that over the level surface; floor and rim go down by ψ r at θ = 0.
         let radius = match probe.channel {
-            Channel::Wave(_) => Some(self.rigid.floor.radius),
+            Channel::Wave(_) => Some(self.rigid.floor.edge()),
             Channel::WaveAt { r } => Some(r),
             _ => None,
         };

@@ -66,6 +66,14 @@ impl Floor {
         Floor { density: case.liquid.density, shape: case.tank.shape, depth: case.liquid.fill_height }
     }
 
+    /// Distance of the wall at θ = 0 from the axis of the rotation [m].
+    pub(super) fn edge(&self) -> f64 {
+        match self.shape {
+            Shape::Cylinder { radius } => radius,
+            Shape::Rectangle { length, .. } => 0.5 * length,
+        }
+    }
+
     /// Wave number k_n [1/m], and ∫F² over F² at the wall, of the term F of the lever r cos θ or x; the area integral [m²].
     fn wave(&self, n: usize) -> (f64, f64) {
         match self.shape {
