@@ -6,7 +6,8 @@ use fem::analysis::checkpoint::unfinished;
 use fem::analysis::march::Checkpoint;
 use results::channel::Side;
 
-/// Checkpoint of a run. A strip writes its second wall to a separate file, `path` with `.theta_180` appended.
+/// Checkpoint of a run. A strip writes its second wall to a separate file, `path` with `.theta_180` appended, and a cylinder on isolators
+/// its second run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckpointFile {
     /// File.
@@ -39,6 +40,11 @@ impl CheckpointFile {
     /// The checkpoint of one wall of a strip.
     pub(crate) fn wall(&self, side: Side, seconds: f64) -> Checkpoint {
         Checkpoint { path: self.path_of(side), key: format!("{} {}", self.key, side.id()), ..self.whole(seconds) }
+    }
+
+    /// The checkpoint of a second run after the first, of a tank that moves on isolators.
+    pub(crate) fn again(&self) -> CheckpointFile {
+        CheckpointFile { path: self.path_of(Side::Back), key: format!("{} again", self.key), ..self.clone() }
     }
 
     fn path_of(&self, side: Side) -> PathBuf {

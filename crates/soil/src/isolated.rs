@@ -2,11 +2,11 @@
 //!
 //! ```text
 //! modes   ÿ_n + 2 ξ_n ω_n ẏ_n + ω_n² y_n = −A             A = a_g + d̈
-//! base    M A + Σ m_n ÿ_n + F(d, ḋ, history) = 0
+//! base    M A + Σ m_n ÿ_n + ΔV + F(d, ḋ, history) = 0
 //! ```
 //!
 //! y_n is the displacement of the effective mass m_n to the base, M all mass with the slab, d the displacement of the isolators, F their
-//! force. The mass M − Σ m_n moves with the base.
+//! force. The mass M − Σ m_n moves with the base. ΔV is what another model of the body exerts beyond its modes, given over time.
 //!
 //! Newmark's average acceleration: eliminating the modes leaves a vector equation in d,
 //!
@@ -54,6 +54,8 @@ pub struct Run<'a> {
     pub ground: &'a [[f64; 2]],
     /// Vertical ground acceleration at each sample [m/s²]; empty without.
     pub vertical: &'a [f64],
+    /// ΔV at each sample [N]; empty without.
+    pub more: &'a [[f64; 2]],
 }
 
 /// Histories at each step (not sample), both components.
@@ -83,7 +85,7 @@ pub struct ModeState {
 /// Energies [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
-    /// Input of the ground, −∫ a_g (M ḋ + Σ m_n ẏ_n) dt.
+    /// Input of the ground, −∫ a_g (M ḋ + Σ m_n ẏ_n) dt, and of ΔV, −∫ ΔV ḋ dt.
     pub input: f64,
     /// Kinetic, relative to the ground, and elastic in the modes.
     pub body: f64,
@@ -158,8 +160,12 @@ pub fn march(run: &Run<'_>) -> Result<History, SoilError> {
                 [] => 0.0,
                 a => between(a[i], a[i + 1]),
             };
+            let more = match run.more {
+                [] => [0.0; 2],
+                v => [0, 1].map(|c| between(v[i][c], v[i + 1][c])),
+            };
             let before = state.clone();
-            let now = advance(run, &laws, &n, &mut state, ground, 1.0 + vertical / run.gravity)?;
+            let now = advance(run, &laws, &n, &mut state, (ground, more), 1.0 + vertical / run.gravity)?;
             history.energy.add(run, &before, &last, &state, &now);
             last = now;
             history.push(&state, &last);
@@ -182,6 +188,13 @@ fn check(run: &Run<'_>) -> Result<(), SoilError> {
     }
     let moving: f64 = run.modes.iter().map(|m| m.mass).sum();
     not_negative("mass less the effective masses of the modes [kg]", run.mass - moving)?;
+    if !run.more.is_empty() && run.more.len() != run.ground.len() {
+        return Err(SoilError::Value {
+            what: "samples of the further force",
+            found: run.more.len() as f64,
+            expected: "as many as of the horizontal acceleration",
+        });
+    }
     if !run.vertical.is_empty() && run.vertical.len() != run.ground.len() {
         return Err(SoilError::Value {
             what: "samples of the vertical acceleration",
@@ -204,11 +217,12 @@ struct State {
 struct Instant {
     ground: [f64; 2],
     force: [f64; 2],
+    more: [f64; 2],
 }
 
 impl Instant {
     fn at_rest(ground: [f64; 2]) -> Instant {
-        Instant { ground, force: [0.0; 2] }
+        Instant { ground, force: [0.0; 2], more: [0.0; 2] }
     }
 }
 
@@ -230,7 +244,7 @@ fn advance(
     laws: &[Parts],
     n: &Newmark,
     state: &mut State,
-    ground: [f64; 2],
+    (ground, more): ([f64; 2], [f64; 2]),
     press: f64,
 ) -> Result<Instant, SoilError> {
     // ÿ_n = s_n − r_n A with s_n, r_n of the step; the base then carries M_e A + g.
@@ -242,7 +256,7 @@ fn advance(
     let carried = run.mass - run.modes.iter().map(|m| m.mass * rate(m)).sum::<f64>();
     let inertia = [0, 1].map(|c| {
         let modal: f64 = run.modes.iter().zip(&state.modes).map(|(m, p)| m.mass * own(m, p, c)).sum();
-        carried * ground[c] + modal
+        carried * ground[c] + modal + more[c]
     });
     let start = [0, 1].map(|c| state.base.predict(n, c));
     let old = state.base.u;
@@ -288,7 +302,7 @@ fn advance(
         point.take(n, modal);
     }
     state.base.take(n, acceleration);
-    Ok(Instant { ground, force })
+    Ok(Instant { ground, force, more })
 }
 
 /// Force of the isolators at a displacement [m] and a velocity [m/s]; their slips move on.
@@ -399,7 +413,7 @@ impl Energy {
             let ground = 0.5 * (last.ground[c] + now.ground[c]);
             let way = to.base.u[c] - from.base.u[c];
             self.isolators += 0.5 * (last.force[c] + now.force[c]) * way;
-            self.input -= ground * run.mass * way;
+            self.input -= (ground * run.mass + 0.5 * (last.more[c] + now.more[c])) * way;
             for ((mode, a), b) in run.modes.iter().zip(&from.modes).zip(&to.modes) {
                 let way = b.u[c] - a.u[c];
                 self.input -= ground * mode.mass * way;

@@ -29,6 +29,7 @@ fn run(isolators: &[Isolator], vertical: &[f64]) -> Result<History, crate::SoilE
         parts: 4,
         ground: &ground(),
         vertical,
+        more: &[],
     })
 }
 

@@ -5,6 +5,7 @@
 //! tank on isolators. `docs/theory/soil.md`.
 
 mod bearings;
+mod beneath;
 mod outcome;
 #[cfg(test)]
 mod tests;
@@ -33,6 +34,7 @@ use crate::histories::Histories;
 use crate::response::motion::{Grid, Motion};
 use crate::response::superpose;
 
+pub(crate) use beneath::{Below, Beneath};
 pub(super) use outcome::Isolated;
 
 /// Longest time step [s].
@@ -57,7 +59,7 @@ pub(super) fn isolated(
     let setup = Setup::new(case, model, &given, still.grid, motion, options);
     let bound = |&factor: &f64| setup.bound((case, model), (&given, factor), motion, options);
     let (main, bounds) = rayon::join(
-        || setup.march(&setup.isolators(&given, 1.0)),
+        || setup.march(&setup.isolators(&given, 1.0), &[]),
         || given.bounds.par_iter().map(bound).collect::<Vec<_>>(),
     );
     let history = main.map_err(failure)?;
@@ -92,6 +94,7 @@ fn failure(error: SoilError) -> FeError {
 }
 
 /// What does not depend on the properties.
+#[derive(Clone)]
 struct Setup {
     modes: Vec<Mode>,
     /// Mass of tank, liquid and slab [kg].
@@ -170,7 +173,8 @@ impl Setup {
         std::iter::once(bearing).chain(damper).collect()
     }
 
-    fn march(&self, isolators: &[Isolator]) -> Result<History, SoilError> {
+    /// * `more`: what another model exerts on the slab beyond the modes, at each step [N]; empty without
+    fn march(&self, isolators: &[Isolator], more: &[[f64; 2]]) -> Result<History, SoilError> {
         isolated::march(&isolated::Run {
             mass: self.mass,
             modes: &self.modes,
@@ -180,6 +184,7 @@ impl Setup {
             parts: 1,
             ground: &self.ground,
             vertical: &self.vertical,
+            more,
         })
     }
 
@@ -223,7 +228,7 @@ impl Setup {
         options: &Options,
     ) -> Result<Bound, FeError> {
         let isolators = self.isolators(given, factor);
-        let history = self.march(&isolators).map_err(failure)?;
+        let history = self.march(&isolators, &[]).map_err(failure)?;
         let model = on_isolators(model);
         let driven = self.driven(&history, motion);
         let (analysis, mut demands) = beside(case, &model, &driven, (options, Extent::Values))?;

@@ -18,6 +18,7 @@ fn pushed(modes: &[Mode], isolators: &[Isolator], a: f64, step: f64, samples: us
         parts: 2,
         ground: &vec![[a, -2.0 * a]; samples],
         vertical: &[],
+        more: &[],
     })
     .unwrap()
 }
@@ -109,6 +110,7 @@ fn forces_are_in_equilibrium() {
         parts: 2,
         ground: &ground(),
         vertical: &[],
+        more: &[],
     })
     .unwrap();
     let most = found.force.iter().fold(0.0_f64, |most, f| most.max(f[0].hypot(f[1])));

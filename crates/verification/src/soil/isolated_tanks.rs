@@ -183,6 +183,7 @@ fn three_masses() -> Answer {
             parts: 20,
             ground: &record.iter().map(|a| [scale * a, 0.0]).collect::<Vec<_>>(),
             vertical: &[],
+            more: &[],
         })
         .map_err(failure)?;
         let state = |of: fn(&ModeState) -> [f64; 2], mode: Option<usize>| {

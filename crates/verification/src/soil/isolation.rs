@@ -104,6 +104,7 @@ fn run(tank: &Tank, isolator: Isolator, direction: [f64; 2], parts: usize) -> Re
         parts,
         ground: &ground,
         vertical: &[],
+        more: &[],
     })
     .map_err(failure)
 }
@@ -255,6 +256,7 @@ fn steady() -> Answer {
         parts: 1,
         ground: &vec![[-acceleration, 0.0]; 4000],
         vertical: &[],
+        more: &[],
     })
     .map_err(failure)?;
     let over = mass * acceleration - q;

@@ -58,8 +58,8 @@ object! {
             = Absent::Follows("of soil from shear_wave_velocity after Vesic, else 100 MN/m³; of a ring wall or slab 10 000 MN/m³"),
         /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
         /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks. An anchored
-        /// cylinder on a slab moves with it on this soil, a half-space under the soil_layers, in the linear engines; of a uniform soil EN 1998-4
-        /// A.7 and ASCE 7 chapter 19 stand beside it for information.
+        /// cylinder on a slab moves with it on this soil, a half-space under the soil_layers; of a uniform soil EN 1998-4 A.7 and ASCE 7
+        /// chapter 19 stand beside it for information.
         shear_wave_velocity ("250 m/s"): Opt<Velocity> [WAVES]
             = without("the soil under the rim radiates no energy, a slab does not move"),
         /// Density of the soil.

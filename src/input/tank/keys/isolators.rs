@@ -89,8 +89,8 @@ pub(super) fn isolators(
     let slab = foundation.filter(|f| f.kind == FoundationKind::Slab);
     unsupported(r, field, (ground, slab.is_some()), support);
     contradictions(r, given, bearing, damper);
-    r.warn(Code::NotUsed, "`tank.isolators` enters the time history of the linear engines; the codes' procedures, the response-spectrum method, transfer \
-         functions and the nonlinear engine take the base as fixed");
+    r.warn(Code::NotUsed, "`tank.isolators` enters the time histories of the linear engines and of the nonlinear cylinder; the codes' procedures, the \
+         response-spectrum method, transfer functions, nonlinear strips, `ida` and `push` take the base as fixed");
     let thickness = slab.and_then(|slab| slab.thickness);
     let slab_mass = match (slab_mass, thickness) {
         (Some(mass), _) => mass,

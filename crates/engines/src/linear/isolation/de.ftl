@@ -4,6 +4,10 @@ isolation-beside =
     Die Platte unter dem Tank steht auf Isolatoren. Alle Werte des Laufs sind die auf Isolatoren, auch Welle und Freibord; die auf
     starrem Fuß stehen hier daneben. Die Welle kann wachsen, wo die effektive Periode der des Schwappens nahekommt. Rohrleitungen
     müssen der Verschiebung der Isolatoren folgen.
+isolation-another =
+    Die Platte unter dem Tank steht auf Isolatoren. Alle Werte des Laufs sind die auf Isolatoren, auch Welle und Freibord. Die Platte
+    bewegt sich nach der Zeitintegration des linearen Rechenkerns, unter der Fußquerkraft dieses Laufs über die seiner Eigenformen hinaus.
+    Rohrleitungen müssen der Verschiebung der Isolatoren folgen.
 isolation-isolators =
     { $kind ->
         [friction_pendulum] Reibungspendel
@@ -51,6 +55,10 @@ isolation-energies-isolators = Isolatoren, gespeichert und dissipiert
 isolation-balance =
     Die Energiebilanz geht bis auf { $error } des Eintrags auf. Die Kraft der Isolatoren aus den überlagerten Eigenformen, deren Werte
     angegeben werden, und aus der Zeitintegration stimmen auf { $superposition } überein.
+isolation-balance-another =
+    Die Energiebilanz geht bis auf { $error } des Eintrags auf. Die Fußquerkraft des letzten Laufs weicht von der, mit der sich seine Platte
+    bewegt hat, um höchstens { $change } der größten Kraft der Isolatoren ab. Werte mit oberen und unteren Eigenschaften sind die des linearen
+    Rechenkerns.
 
 isolation-rigid = Die Platte ist starr, dreht sich nicht und trägt den auf ihr eingespannten Tank.
 isolation-follows =

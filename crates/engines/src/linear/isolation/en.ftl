@@ -4,6 +4,10 @@ isolation-beside =
     The slab under the tank stands on isolators. All values of the run are those on isolators, the wave and the freeboard among them;
     those on a fixed base stand here beside them. The wave may grow where the effective period comes near that of sloshing. Pipes
     must follow the displacement of the isolators.
+isolation-another =
+    The slab under the tank stands on isolators. All values of the run are those on isolators, the wave and the freeboard among them. The slab
+    moves by the march of the linear engine, under the base shear of this run beyond that of its modes. Pipes must follow the displacement of
+    the isolators.
 isolation-isolators =
     { $kind ->
         [friction_pendulum] Friction pendulums
@@ -51,6 +55,9 @@ isolation-energies-isolators = Isolators, stored and lost
 isolation-balance =
     The balance of energy closes within { $error } of the input. Force of the isolators from the superposed modes, whose values are
     reported, and from the march agree within { $superposition }.
+isolation-balance-another =
+    The balance of energy closes within { $error } of the input. The base shear of the last run differs from that with which its slab moved by
+    at most { $change } of the largest force of the isolators. Values with upper and lower properties are those of the linear engine.
 
 isolation-rigid = The slab is rigid, does not rotate, and carries the tank clamped to it.
 isolation-follows =

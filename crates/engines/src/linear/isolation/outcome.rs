@@ -55,6 +55,8 @@ pub(crate) struct Isolated {
     bounds: Vec<(f64, Demands)>,
     /// Difference of the largest force along x from that of the superposed response, relative.
     superposition: f64,
+    /// In place of it, the last change of what another model exerts on the slab, relative to that force.
+    change: Option<f64>,
 }
 
 impl Isolated {
@@ -92,7 +94,16 @@ impl Isolated {
             bands,
             bounds,
             superposition: 0.0,
+            change: None,
         }
+    }
+
+    /// Adds the values of another model of the tank, and the isolators to its demands.
+    ///
+    /// * `change`: the last change of the force on the slab, relative
+    pub(super) fn of_another(&mut self, change: f64, values: &BTreeMap<Quantity, f64>, demands: &mut Demands) {
+        self.change = Some(change);
+        self.judge(values, &BTreeMap::new(), demands);
     }
 
     /// The model under the motion of the slab.
@@ -144,6 +155,19 @@ impl Isolated {
         fixed: &BTreeMap<Quantity, f64>,
         demands: &mut Demands,
     ) {
+        // F = −(V + m_b A), V the inertia of the tank, at the samples of the superposed response, which are the steps of the march.
+        if let Some((_, shear)) = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear) {
+            let slab = self.given.slab_mass;
+            let both = shear.values.iter().zip(&self.history.acceleration);
+            let (found, _) = largest(both.map(|(v, a)| v + slab * a[0]));
+            let (march, _) = largest(self.history.force.iter().map(|f| f[0]));
+            self.superposition = if march > 0.0 { (found / march - 1.0).abs() } else { 0.0 };
+        }
+        self.judge(values, fixed, demands);
+    }
+
+    /// Adds values and isolators, as of [`Isolated::complete`].
+    fn judge(&mut self, values: &BTreeMap<Quantity, f64>, fixed: &BTreeMap<Quantity, f64>, demands: &mut Demands) {
         let isolators = self.setup.isolators(&self.given, 1.0);
         let own = self.setup.band(&isolators, 1.0, &self.history, (values, demands));
         self.bands.insert(self.bands.len().min(1), own);
@@ -154,14 +178,6 @@ impl Isolated {
             })
         });
         self.values.extend(moving);
-        // F = −(V + m_b A), V the inertia of the tank, at the samples of the superposed response, which are the steps of the march.
-        if let Some((_, shear)) = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear) {
-            let slab = self.given.slab_mass;
-            let both = shear.values.iter().zip(&self.history.acceleration);
-            let (found, _) = largest(both.map(|(v, a)| v + slab * a[0]));
-            let (march, _) = largest(self.history.force.iter().map(|f| f[0]));
-            self.superposition = if march > 0.0 { (found / march - 1.0).abs() } else { 0.0 };
-        }
         let found = isolation(&self.setup, &self.given, &self.history, demands);
         self.values.extend(found.bearing_share.map(|share| Finding {
             time: Some(share.time),
@@ -173,6 +189,10 @@ impl Isolated {
 
     /// Remarks on the run.
     pub(crate) fn notes(&self) -> Vec<String> {
+        if let Some(change) = self.change {
+            let differs = (change > words::CLOSE).then(|| words::differs(change));
+            return std::iter::once(words::ANOTHER.to_owned()).chain(differs).collect();
+        }
         let share = self.values.iter().find(|found| found.id == "bearing_share");
         let tension = share.filter(|q| q.value.value < 0.0);
         let tension = tension.map(|q| words::tension(q.value.value, q.time.unwrap_or_default()));
@@ -193,15 +213,19 @@ impl Isolated {
             .with("mass", Amount::new(self.setup.mass, Dimension::Mass))
             .with("step", Amount::new(self.setup.step, Dimension::Time).form(Form::Given));
         let energy = &self.history.energy;
-        let balance = Message::new("isolation-balance")
+        let (about, balance, apart) = match self.change {
+            None => ("isolation-beside", "isolation-balance", ("superposition", self.superposition)),
+            Some(change) => ("isolation-another", "isolation-balance-another", ("change", change)),
+        };
+        let balance = Message::new(balance)
             .with("error", Amount::ratio(energy.deviation().abs().max(1e-16)).form(Form::Significant(1)))
-            .with("superposition", Amount::percent(self.superposition));
+            .with(apart.0, Amount::percent(apart.1));
         let mut channels = vec![Channel::IsolatorDisplacement];
         channels.extend(self.motion.transverse.is_some().then_some(Channel::IsolatorDisplacementY));
         Part {
             id: "isolation".into(),
             blocks: vec![
-                Block::Text(Message::new("isolation-beside")),
+                Block::Text(Message::new(about)),
                 Block::Note(isolators),
                 Block::values("values", self.values.clone()),
                 Block::History(History::new("isolator_displacement", "displacement", &channels)),
@@ -223,6 +247,8 @@ impl Isolated {
     /// Ids of the assumptions.
     fn assumptions(&self) -> Vec<&'static str> {
         let mut list = vec!["rigid", "follows", "mass", "outermost", "cycle", "mesh", "bounded"];
+        // Another model has neither the moment of the bottom pressure nor a second mesh.
+        list.retain(|id| self.change.is_none() || !["outermost", "mesh"].contains(id));
         if matches!(self.given.bearing, Bearing::FrictionPendulum { .. }) {
             list.push(if self.setup.vertical.is_empty() { "weight-at-rest" } else { "weight" });
         }

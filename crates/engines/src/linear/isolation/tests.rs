@@ -95,7 +95,7 @@ fn el_centro_agrees_with_the_independent_program() {
         let first = setup.modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
         // Sloshing is slower than 1 s, the wall faster.
         setup.modes.retain(|m| m.omega == first || m.omega > TAU);
-        let history = setup.march(&setup.isolators(&given, 1.0)).unwrap();
+        let history = setup.march(&setup.isolators(&given, 1.0), &[]).unwrap();
         let wall = (setup.modes.iter().enumerate().filter(|(_, m)| m.omega > TAU))
             .max_by(|a, b| a.1.mass.total_cmp(&b.1.mass))
             .unwrap()

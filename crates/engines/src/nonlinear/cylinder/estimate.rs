@@ -14,7 +14,7 @@ use tank::Case;
 use tank::{Behaviour, Course, Layer, LayerKind};
 
 use super::elements::iterates;
-use super::march::{LOOKS, STEPS_PER_PERIOD};
+use super::march::{LOOKS, usual_step};
 use super::mesh::Cells;
 use super::{standing, two};
 use crate::FeError;
@@ -284,9 +284,8 @@ pub(crate) fn add_states(
 fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
     let size = Size::of(case, options);
     let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
-    let step = options.time_step.unwrap_or_else(|| {
-        (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
-    });
+    let usual = || usual_step(case, std::f64::consts::TAU / first_wall_frequency(case), response.dt);
+    let step = options.time_step.unwrap_or_else(usual);
     let samples = response.samples();
     // A whole number of steps in a sample.
     let steps = samples * (response.dt / step - 1e-9).ceil().max(1.0);
@@ -294,7 +293,9 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let [start, elastic, quiet] = size.times(options.contact);
     let all = |record: f64, tail: f64| {
         let once = start + (steps - free) * record + free * tail;
-        BESIDE + once * runs.max(1) as f64 + 2.0 * (size.block / NUMBER).powf(1.5) / DENSE_RATE
+        // A history on isolators may be found in two runs.
+        let runs = if jobs == 0 && case.tank.isolators.is_some() { 2 } else { runs.max(1) };
+        BESIDE + once * runs as f64 + 2.0 * (size.block / NUMBER).powf(1.5) / DENSE_RATE
     };
     let of_runs = if jobs > 0 { format!(", {runs} runs, {at_a_time:.0} at a time") } else { String::new() };
     let (rows, unknowns, wetted) = (size.rows, size.unknowns, size.wetted);

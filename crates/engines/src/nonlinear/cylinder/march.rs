@@ -22,9 +22,17 @@ use super::pictures::Pictures;
 use super::watch::Watch;
 
 /// Steps of the time integration in a period of the first mode of wall and liquid.
-pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
+const STEPS_PER_PERIOD: f64 = 20.0;
+/// Longest step on isolators, whose slab changes its acceleration within some milliseconds as it begins to slide [s].
+const SLIDING: f64 = 2e-3;
 /// Looks at all material points in a run.
 pub(super) const LOOKS: f64 = 200.0;
+
+/// Longest step by default, of a first period of the wall and the step of the record [s].
+pub(super) fn usual_step(case: &Case, period: f64, record: f64) -> f64 {
+    let longest = if case.tank.isolators.is_some() { SLIDING } else { f64::INFINITY };
+    (period / STEPS_PER_PERIOD).min(0.5 * record).min(longest)
+}
 
 /// A cylinder with its options.
 pub(crate) struct Cylinder<'a> {
@@ -69,8 +77,7 @@ impl<'a> Cylinder<'a> {
     /// Longest step [s].
     pub(crate) fn step(&self, record: &Record) -> f64 {
         let period = std::f64::consts::TAU / self.tank.wall_omega;
-        let usual = || (period / STEPS_PER_PERIOD).min(0.5 * record.dt);
-        self.options.time_step.unwrap_or_else(usual)
+        self.options.time_step.unwrap_or_else(|| usual_step(self.case, period, record.dt))
     }
 
     /// Through `scale` times the records and the free vibration after them, on `threads` threads.
@@ -83,13 +90,14 @@ impl<'a> Cylinder<'a> {
         progress: &dyn Progress,
     ) -> Result<(Watch<'_>, Run), FeError> {
         let (tank, options) = (&self.tank, self.options);
-        let record = &motion.horizontal;
+        // That of the case: the motion of a slab on isolators has finer steps.
+        let record = &checked_motion(self.case)?.horizontal;
         let grid = Grid::new(record.dt, self.span.record, self.span.tail, self.step(record));
         let sampled = |record: &Record| {
             let scaled: Vec<f64> = record.acceleration.iter().map(|a| scale * a).collect();
             Motion::sampled(record.dt, &scaled, &grid)
         };
-        let mut load = Load::ground(0, sampled(record));
+        let mut load = Load::ground(0, sampled(&motion.horizontal));
         load.ground[1] = motion.transverse.as_ref().map(sampled);
         if let Some(vertical) = &motion.vertical {
             let motion = sampled(vertical);

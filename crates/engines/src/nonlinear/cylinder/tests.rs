@@ -3,6 +3,7 @@
 mod base_elements;
 mod curve;
 mod imperfect;
+mod isolators;
 mod opening;
 mod resume;
 mod soil;

@@ -29,13 +29,13 @@ fn precise(case: &Case, [height, circumference]: [u32; 2]) -> NonlinearOptions {
     own
 }
 
-fn column(found: &fe::Simulation, id: &str) -> Vec<f64> {
+pub(super) fn column(found: &fe::Simulation, id: &str) -> Vec<f64> {
     let place =
         found.series.ids.iter().position(|c| c == id).unwrap_or_else(|| panic!("{id} of {:?}", found.series.ids));
     found.series.columns[place].clone()
 }
 
-fn peak(values: &[f64]) -> f64 {
+pub(super) fn peak(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
