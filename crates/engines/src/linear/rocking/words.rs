@@ -149,7 +149,7 @@ pub(super) fn band_note(missed: &MissedBand) -> String {
 const AS_BUILT: &str = "Bottom plate and wall are those as built: the sheets of the codes take them less corrosion, and their uplift is larger for that.";
 
 /// What the waves of a foot leave out, and how far that goes in shells (docs/theory/base.md, section 6).
-const WAVES_AT_ONCE: &str = "The waves of the foot follow at once: the inertia of the liquid that ovals with the wall is left out. Four tanks lifted 1.1 to 1.5 times as far as shells, with 0.5 to 0.8 of their stress at the toe.";
+const WAVES_AT_ONCE: &str = "The waves of the foot follow at once: the inertia of the liquid that ovals with the wall is left out. Three tanks lifted 1.1 to 1.5 times as far as shells, with 0.6 to 0.9 of their stress at the toe.";
 
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
