@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use tank::Case;
 
 /// Impulsive pressure on the bottom at θ = 0 at the distance r from the axis [Pa per m/s²].
-pub(crate) fn impulsive_pressure(case: &Case, radius: f64, r: f64) -> f64 {
+pub fn impulsive_pressure(case: &Case, radius: f64, r: f64) -> f64 {
     let depth = case.liquid.fill_height;
     let mut sum = 0.0;
     for n in 0..200 {

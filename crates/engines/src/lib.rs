@@ -35,6 +35,7 @@ pub mod strip;
 pub use engine::{Engine, Simulation, Task};
 pub use error::FeError;
 pub use fem::liquid;
+pub use floor_pressure::impulsive_pressure;
 pub use linear::isolation::{IsolatedBody, isolated_body};
 pub use linear::mesh_error::errors as mesh_errors;
 pub use linear::prepared::{Prepared, Response};

@@ -16,6 +16,7 @@
 //! | U21 to U23 | anchors that yield | closed forms |
 //! | U24 to U26 | bottom plate dragged along the ground | closed forms |
 //! | U30 to U34 | joint of wall and plate, either of which yields | the strips |
+//! | U35 to U37 | strips under a rim that is free, held by a girder, round | shells of wall and plate |
 
 use ::base::{Bands, Base, BaseError, Edge, Plan, Plate, Rim, Strip};
 use tank::reference::{case, material};
@@ -28,6 +29,7 @@ pub(crate) mod drag;
 pub(crate) mod history;
 pub(crate) mod joint;
 pub(crate) mod loops;
+pub(crate) mod rims;
 pub(crate) mod rocking;
 pub(crate) mod round;
 pub(crate) mod sector;

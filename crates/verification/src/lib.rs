@@ -61,6 +61,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::rings::BENCHMARK,
     &base::strip::BENCHMARK,
     &base::shells::BENCHMARK,
+    &base::rims::BENCHMARK,
     &base::sector::BENCHMARK,
     &base::joint::BENCHMARK,
     &base::round::BENCHMARK,
