@@ -1,6 +1,6 @@
 //! Pressures on wall and floor, and their resultants.
 
-use super::basis::{Place, Shape, Side};
+use super::basis::{LANES, Place, Shape, Side};
 use super::expansion::Liquid;
 use super::quadrature::gauss_legendre;
 use super::run::{Frame, product};
@@ -35,7 +35,10 @@ pub struct Forces {
 #[derive(Clone, Debug)]
 pub(super) struct Wall {
     lines: Vec<Line>,
-    levels: Vec<Level>,
+    /// z, weight, and Z_j and Z_j′ of each mode, at the levels.
+    z: [f64; LEVELS],
+    weight: [f64; LEVELS],
+    heights: Vec<[[f64; LEVELS]; 2]>,
     /// 1/cosh k_j H.
     floor: Vec<f64>,
 }
@@ -48,13 +51,6 @@ struct Line {
     length: f64,
     value: Vec<f64>,
     along: Vec<f64>,
-}
-
-#[derive(Clone, Debug)]
-struct Level {
-    z: f64,
-    weight: f64,
-    height: Vec<[f64; 2]>,
 }
 
 impl Liquid {
@@ -102,14 +98,18 @@ impl Liquid {
             }
         };
         let half = 0.5 * self.own.depth;
-        let levels = gauss_legendre(LEVELS)
-            .into_iter()
-            .map(|(x, w)| {
-                let z = half * (x - 1.0);
-                Level { z, weight: half * w, height: self.height(z) }
+        let (mut z, mut weight) = ([0.0; LEVELS], [0.0; LEVELS]);
+        for (l, (x, w)) in gauss_legendre(LEVELS).into_iter().enumerate() {
+            (z[l], weight[l]) = (half * (x - 1.0), half * w);
+        }
+        let heights = (0..n)
+            .map(|j| {
+                let at = z.map(|z| self.height_of(j, z));
+                [at.map(|[value, _]| value), at.map(|[_, slope]| slope)]
             })
             .collect();
-        Wall { lines, levels, floor: self.height(-self.own.depth).iter().map(|h| h[0]).collect() }
+        let floor = self.height(-self.own.depth).iter().map(|h| h[0]).collect();
+        Wall { lines, z, weight, heights, floor }
     }
 
     /// Part of the pressure over density that the motion has at a place and height, without the potential of waves [m²/s²].
@@ -164,16 +164,20 @@ impl Liquid {
             }
             // Over the depth at rest, without the pressure at rest.
             let (mut force, mut moment) = (0.0, 0.0);
-            for level in &wall.levels {
-                let [mut t, mut v, mut w] = [0.0; 3];
-                for j in 0..n {
-                    t += rate[j] * level.height[j][0];
-                    v += along[j] * level.height[j][0];
-                    w += rise[j] * level.height[j][1];
+            let mut sums = [[0.0; LEVELS]; 3];
+            for (j, [value, slope]) in wall.heights.iter().enumerate() {
+                for l in 0..LEVELS {
+                    sums[0][l] += rate[j] * value[l];
+                    sums[1][l] += along[j] * value[l];
+                    sums[2][l] += rise[j] * slope[l];
                 }
-                let p = t + 0.5 * (v * v + w * w) + self.carried(frame, line.place, level.z, &line.value);
-                force -= level.weight * p;
-                moment -= level.weight * p * (level.z + own.depth);
+            }
+            let [t, v, w] = sums;
+            for l in 0..LEVELS {
+                let p =
+                    t[l] + 0.5 * (v[l] * v[l] + w[l] * w[l]) + self.carried(frame, line.place, wall.z[l], &line.value);
+                force -= wall.weight[l] * p;
+                moment -= wall.weight[l] * p * (wall.z[l] + own.depth);
             }
             // From the level at rest to the surface by Simpson's rule; on the surface only damping presses.
             let eta = product(&line.value, frame.elevation);
@@ -212,22 +216,29 @@ impl Liquid {
         let (rate, potential) = (scaled(frame.potential_rate), scaled(frame.potential));
         let mut out = [0.0; 2];
         let mut values = vec![0.0; n];
-        for (p, (&place, &area)) in basis.places.iter().zip(&basis.areas).enumerate() {
-            if area == 0.0 {
-                continue;
-            }
-            let [mut t, mut v, mut w] = [0.0; 3];
+        for block in 0..basis.blocks {
+            let mut sums = [[0.0; LANES]; 3];
             for j in 0..n {
-                let at = basis.index(p, j);
-                values[j] = basis.value[at];
-                t += rate[j] * basis.value[at];
-                v += potential[j] * basis.slope[0][at];
-                w += potential[j] * basis.slope[1][at];
+                let from = (block * n + j) * LANES;
+                let tables = [&basis.value, &basis.slope[0], &basis.slope[1]].map(|table| &table[from..from + LANES]);
+                for i in 0..LANES {
+                    sums[0][i] += rate[j] * tables[0][i];
+                    sums[1][i] += potential[j] * tables[1][i];
+                    sums[2][i] += potential[j] * tables[2][i];
+                }
             }
-            let pressure =
-                -(t + 0.5 * (v * v + w * w) + self.carried(frame, place, -self.own.depth, &values)) * self.own.density;
-            for d in 0..2 {
-                out[d] += area * pressure * place[d];
+            let [t, v, w] = sums;
+            for i in 0..LANES {
+                let p = block * LANES + i;
+                let (place, area) = (basis.places[p], basis.areas[p]);
+                if frame.motion.angular != [0.0; 2] {
+                    values.iter_mut().enumerate().for_each(|(j, value)| *value = basis.value[basis.index(p, j)]);
+                }
+                let carried = self.carried(frame, place, -self.own.depth, &values);
+                let pressure = -(t[i] + 0.5 * (v[i] * v[i] + w[i] * w[i]) + carried) * self.own.density;
+                for d in 0..2 {
+                    out[d] += area * pressure * place[d];
+                }
             }
         }
         if basis.modes().iter().all(|mode| !mode.sine) {

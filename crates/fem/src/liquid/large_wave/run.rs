@@ -267,7 +267,7 @@ fn lost(liquid: &Liquid, state: &[Vec<f64>; 2], rates: &[Vec<f64>; 2]) -> f64 {
     own.density * (0..state[0].len()).map(of).sum::<f64>()
 }
 
-/// Time derivatives of what is known as a function of η and ψ, by central differences along their rates.
+/// Time derivatives of what is known as a function of η and ψ, by differences along their rates.
 struct Differences {
     state: [Vec<f64>; 2],
     rates: [Vec<f64>; 2],
@@ -300,28 +300,25 @@ impl Differences {
         out: &mut Vec<f64>,
     ) {
         let n = eta.len();
-        // Rounding and truncation of the difference are both near 1e-9 for this part of the fastest period.
-        let small = 1e-4 / liquid.omega.iter().fold(1e-3_f64, |a, &b| a.max(b));
+        // Of this part of the fastest period truncation is 1e-7 of the derivative and rounding less. The state itself has been evaluated.
+        let small = 1e-7 / liquid.omega.iter().fold(1e-3_f64, |a, &b| a.max(b));
         for j in 0..n {
             self.total[j] = psi[j] + work.orders[0][j] + work.orders[1][j];
             // The rate of ψ with the motion that this instant is to show.
             self.pushed[j] = rates[1][j] + liquid.push(j, felt) + felt.vertical * eta[j]
                 - liquid.push(j, carried)
                 - carried.vertical * eta[j];
-            self.second[j] = 0.0;
-            self.orders[j] = 0.0;
+            // Less what they are now.
+            self.second[j] = -rates[0][j];
+            self.orders[j] = -(work.orders[0][j] + work.orders[1][j]);
+            self.state[0][j] = eta[j] + small * rates[0][j];
+            self.state[1][j] = psi[j] + small * self.pushed[j];
         }
-        for sign in [1.0, -1.0] {
-            for j in 0..n {
-                self.state[0][j] = eta[j] + sign * small * rates[0][j];
-                self.state[1][j] = psi[j] + sign * small * self.pushed[j];
-            }
-            let [rise, push] = &mut self.rates;
-            liquid.rates((&self.state[0], &self.state[1]), carried, work, (rise, push));
-            for j in 0..n {
-                self.second[j] += sign * rise[j] / (2.0 * small);
-                self.orders[j] += sign * (work.orders[0][j] + work.orders[1][j]) / (2.0 * small);
-            }
+        let [rise, push] = &mut self.rates;
+        liquid.rates((&self.state[0], &self.state[1]), carried, work, (rise, push));
+        for j in 0..n {
+            self.second[j] = (self.second[j] + rise[j]) / small;
+            self.orders[j] = (self.orders[j] + work.orders[0][j] + work.orders[1][j]) / small;
         }
         out.extend_from_slice(eta);
         out.extend_from_slice(&rates[0]);
