@@ -10,6 +10,7 @@ mod compare;
 mod corners;
 mod desk;
 mod estimates;
+mod experiments;
 mod field;
 mod fragility;
 mod frequency;

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use tank::reference::{broad, case, material};
-use tank::{Bottom, Case, Foundation, FoundationKind, Quantity, Shape, Support};
+use tank::reference::broad;
+use tank::{Bottom, Case, Foundation, FoundationKind, Quantity, Support};
 
-use super::{TIME, VALUE, experiment, judged, motion, peak, shaken};
+use super::{TIME, VALUE, example, experiment, experimental, judged, motion, peak, shaken};
 use crate::records::{EL_CENTRO, PACOIMA, PARKFIELD};
 use crate::tanks::as_described;
 use crate::{Answer, Records, Reference, Row};
@@ -96,13 +96,11 @@ fn frequency(tank: &Case, kind: &str, harmonic: u32) -> Result<f64, FeError> {
     first.map(|mode| mode.omega / TAU).ok_or_else(missing)
 }
 
-/// Perspex cylinder of 9.6 cm.
-fn perspex(depth: f64) -> Case {
-    let mut tank =
-        case(Shape::Cylinder { radius: 0.096 }, &[(0.225, 0.006)], &material(3.3e9, 0.3, 1500.0), (1000.0, depth));
-    tank.damping.sloshing = 0.001;
-    tank.damping.impulsive = 0.001;
-    tank
+/// Perspex cylinder of 9.6 cm, filled to a depth [m].
+fn perspex(depth: f64) -> Result<Case, FeError> {
+    let mut tank = example("02_perspex_model_tank/tank.json")?.case;
+    tank.liquid.fill_height = depth;
+    Ok(tank)
 }
 
 /// Frequencies at five depths, and the wave under a harmonic motion from rest.
@@ -116,7 +114,7 @@ pub(super) fn pal() -> Answer {
             "pal",
             format!("H = {:.0} cm: first sloshing frequency", 100.0 * depth),
             experiment(measured, PAL),
-            frequency(&perspex(depth), "sloshing", 1)?,
+            frequency(&perspex(depth)?, "sloshing", 1)?,
             (TIME, "Hz"),
         );
         rows.push(judged(row, why));
@@ -124,7 +122,7 @@ pub(super) fn pal() -> Answer {
     // The acceleration of the record of example 02, which begins at zero.
     let omega = TAU * 1.2;
     let record = motion(0.005, 12_000, |t| -0.005 * omega * omega * (omega * t).sin());
-    let found = shaken(&perspex(0.09), record, Options::default())?;
+    let found = shaken(&perspex(0.09)?, record, Options::default())?;
     let source = experiment(6.0, "Pal et al. 2001, in [B02, table 8.9], read from a figure");
     let wave = 1e3 * peak(&found, "wave_height_theta_0")?;
     rows.push(Row::new("pal", "H = 9 cm, 5 mm at 1.2 Hz from rest: largest wave", source, wave, (VALUE, "mm")));
@@ -135,8 +133,7 @@ pub(super) fn pal() -> Answer {
 pub(super) fn modes() -> Answer {
     const ASTER: &str = "code_aster V8.21.312, mean of three models (SAMCEF)";
     const PREDICTED: &str = "predicted before the printed values were at hand";
-    let steel = material(206e9, 0.3, 7850.0);
-    let tank = case(Shape::Cylinder { radius: 0.076073 }, &[(0.3048, 0.254e-3)], &steel, (1000.0, 0.3048));
+    let tank = experimental("code_aster_v8.21.312")?;
     let printed = [(4, 71.2), (3, 77.4), (2, 133.4)];
     let mut rows = Vec::new();
     for (harmonic, value) in printed {
