@@ -56,6 +56,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::tilt::BENCHMARK,
     &tanks::transfer::BENCHMARK,
     &tanks::turning::BENCHMARK,
+    &tanks::wall_modes::BENCHMARK,
     &tanks::mode_damping::BENCHMARK,
     &tanks::internal_forces::BENCHMARK,
     &tanks::rings::BENCHMARK,

@@ -26,6 +26,7 @@ pub(crate) mod solid_box;
 pub(crate) mod tilt;
 pub(crate) mod transfer;
 pub(crate) mod turning;
+pub(crate) mod wall_modes;
 
 /// The dissertation's g [m/s²].
 const G: f64 = 9.81;
