@@ -97,6 +97,30 @@ fn keys(schema: &Value, root: &Value, path: &[String], all: &mut Vec<(Vec<String
     }
 }
 
+#[test]
+fn every_key_has_a_german_name_in_the_form() {
+    let names = std::fs::read_to_string(root().join("crates/desk/page/labels.js")).expect("the names");
+    let schema = json_schema();
+    let mut all = Vec::new();
+    properties(&schema, &mut all);
+    let named = |key: &str| [' ', '{'].iter().any(|before| names.contains(&format!("{before}{key}: ")));
+    let missing: BTreeSet<&str> = all.into_iter().filter(|key| !named(key)).collect();
+    assert!(missing.is_empty(), "without a German name in labels.js: {missing:?}");
+}
+
+/// The names of all properties of a schema.
+fn properties<'s>(schema: &'s Value, all: &mut Vec<&'s str>) {
+    match schema {
+        Value::Object(members) => {
+            let own = members.get("properties").and_then(Value::as_object);
+            all.extend(own.into_iter().flat_map(|own| own.keys().map(String::as_str)));
+            members.values().for_each(|value| properties(value, all));
+        }
+        Value::Array(items) => items.iter().for_each(|item| properties(item, all)),
+        _ => {}
+    }
+}
+
 /// Puts a value into a document; missing parents are made.
 fn put(document: &mut Value, path: &[String], value: Value) {
     let [key, rest @ ..] = path else {

@@ -121,7 +121,7 @@ function buttons(list, card, run) {
     step ? act(`run-next-${step.step}`, () => list.acts.post(step), 'primary') : null,
     there && !planned ? act('run-look', () => desk.go('look', { path: run.out }), files.length ? '' : 'primary') : null,
     paged ? h('a.button', { href: report, target: '_blank', rel: 'noopener' }, t('run-open-report')) : null,
-    paged && !run.command.startsWith('tankcheck report') ? act('run-print', () => list.acts.post(printed(run.out))) : null,
+    paged && !run.command.startsWith('tankcheck report') ? act('run-print', () => list.acts.post(printed(run))) : null,
     resumable ? act('run-go-on', () => list.acts.resume(spec)) : null,
     spec ? act('run-again', () => list.acts.again(spec)) : null,
   ];

@@ -125,7 +125,11 @@ export function nextOfStudy(run) {
 }
 
 /** The PDF of a folder of results. */
-export const printed = (out) => ({ command: 'report', arguments: [out, '--format', 'pdf'], out });
+export const printed = ({ out, command }) => {
+  // In the language and units that the report was asked for in.
+  const asked = ['--lang', '--report-units'].flatMap((option) => new RegExp(`${option} (\\w+)`).exec(command)?.slice(1).flatMap((value) => [option, value]) ?? []);
+  return { command: 'report', arguments: [out, '--format', 'pdf', ...asked], out };
+};
 
 /** Files that `report` has written beside the page. */
 export function writtenForms(run) {

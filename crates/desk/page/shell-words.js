@@ -50,5 +50,5 @@ add({
   'key-escape': ['Close a dialog', 'Dialog schließen'],
   'about': ['tankcheck {version}, folder {folder}', 'tankcheck {version}, Ordner {folder}'],
   'about-more': ['The page is served by the program on this computer; nothing leaves it. Every run is a command that can be repeated in a terminal.',
-    'Die Seite liefert das Programm auf diesem Rechner; nichts verlässt ihn. Jeder Lauf ist ein Befehl, der sich im Terminal wiederholen lässt. Hilfetexte zu Feldern und Meldungen zu Fehlern sind englisch, wie im Terminal.'],
+    'Die Seite liefert das Programm auf diesem Rechner; nichts verlässt ihn. Jeder Lauf ist ein Befehl, der sich im Terminal wiederholen lässt. Meldungen zu Beben, die nicht gelesen werden können, sind englisch, wie im Terminal.'],
 });

@@ -82,6 +82,8 @@ pub struct FreeBase {
     pub scatters: bool,
     /// Whether the pressure of the motion takes the hoop force from the lifted side of a wall whose rim is not round, beyond what strips of the bottom hold.
     pub softened: bool,
+    /// Whether its foot lifts and warps under a rim that is not round, with waves that have no inertia.
+    pub warps: bool,
     /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
     pub joint: Option<Peak>,
     /// Largest force of an anchor [N], of one that yields as if it had stayed elastic; none without anchors.

@@ -45,6 +45,14 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     assert!(soft.checks.iter().all(|check| !check.holds() || check.limit_state == "freeboard"), "{:?}", soft.checks);
     assert!(found(&soft, UPLIFT.id).reason.contains("--fe nonlinear"));
     assert_eq!(found(&assessed(&case, &free(softened(0.21))), UPLIFT.id).status, CheckStatus::Fails);
+    // Above a foot that warps no compression holds, and all else is as it was.
+    let warped = assessed(&case, &free(FreeBase { warps: true, ..lifts(Some(joint(0.05))) }));
+    let compression = found(&warped, "shell_compression");
+    assert!(compression.status == CheckStatus::NotChecked && compression.reason.contains("--fe nonlinear"));
+    assert_eq!(
+        (found(&warped, UPLIFT.id).status, found(&findings, "shell_compression").status),
+        (CheckStatus::Holds, CheckStatus::Holds)
+    );
     let rests = assessed(&case, &free(FreeBase::default()));
     assert_eq!((rests.outside, found(&rests, UPLIFT.id).status), (None, CheckStatus::NotApplicable));
 }

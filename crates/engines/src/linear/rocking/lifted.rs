@@ -159,6 +159,7 @@ impl Moved {
             lifts: self.value("uplift") > 0.0,
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
             softened: self.suction.is_some_and(|suction| !suction.holds()),
+            warps: self.suction.is_some(),
             joint: self.joint(),
             anchor: self.anchor(),
             elastic_wall: true,

@@ -141,6 +141,7 @@ fn base(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Option<FreeBase
         lifts,
         scatters: false,
         softened: false,
+        warps: false,
         joint: Some(joint),
         anchor,
         broken: usize::from(breaks),
