@@ -47,10 +47,10 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     assert_eq!(found(&assessed(&case, &free(softened(0.21))), UPLIFT.id).status, CheckStatus::Fails);
     // Above a foot that warps no compression holds, and all else is as it was.
     let warped = assessed(&case, &free(FreeBase { warps: true, ..lifts(Some(joint(0.05))) }));
-    let compression = found(&warped, "shell_compression");
+    let compression = found(&warped, "buckling_elastic");
     assert!(compression.status == CheckStatus::NotChecked && compression.reason.contains("--fe nonlinear"));
     assert_eq!(
-        (found(&warped, UPLIFT.id).status, found(&findings, "shell_compression").status),
+        (found(&warped, UPLIFT.id).status, found(&findings, "buckling_elastic").status),
         (CheckStatus::Holds, CheckStatus::Holds)
     );
     let rests = assessed(&case, &free(FreeBase::default()));
