@@ -113,6 +113,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "the roof is",
                 "one site coefficient",
                 "cannot read the table",
+                "cannot read the record",
                 "thinner than any",
                 "thicker than any",
                 "the liquid is higher",

@@ -23,6 +23,9 @@ pub(super) enum Solver {
     Zone(Box<ZoneSolver>),
 }
 
+/// The solution of a system that is factorised, of any right-hand side.
+type Solved<'a> = Box<dyn Fn(&[f64]) -> Result<Vec<f64>, AnalysisError> + 'a>;
+
 pub(super) const WHAT: &str = "the effective tangent";
 
 impl Inertia<'_> {
@@ -184,7 +187,7 @@ impl Newton<'_> {
             return Ok([first, second]);
         }
         let (model, assembler) = (self.model, self.assembler);
-        let solver: Box<dyn Fn(&[f64]) -> Result<Vec<f64>, AnalysisError> + '_> = match &self.rings {
+        let solver: Solved<'_> = match &self.rings {
             None => {
                 let factor = self.symbolic.factor(&regular, self.kind).map_err(&of_mass)?;
                 Box::new(move |b| factor.solve_vector(b).map_err(&after))
