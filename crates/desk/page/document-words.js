@@ -23,6 +23,8 @@ add({
   'doc-conflict-title': ['The file has changed', 'Die Datei hat sich geändert'],
   'doc-conflict': ['{name} was changed by another window or program since it was opened here. Which text counts?',
     '{name} wurde von einem anderen Fenster oder Programm geändert, seit die Datei hier geöffnet wurde. Welcher Text gilt?'],
+  'doc-exists-title': ['The name is taken', 'Den Namen gibt es schon'],
+  'doc-exists': ['{name} is in the folder already. Which text counts?', '{name} liegt schon im Ordner. Welcher Text gilt?'],
   'doc-mine': ['Save mine over it', 'Meinen sichern'],
   'doc-theirs': ['Take theirs', 'Den anderen nehmen'],
   'doc-difference': ['Show the difference', 'Unterschied zeigen'],

@@ -281,16 +281,16 @@ export class TankDocument {
       this.desk.say(t('doc-saved', { name: path }), 'ok');
       return true;
     } catch (error) {
-      if (error.status === 409) return this.settle(path, error.body ?? {});
+      if (error.status === 409) return this.settle(path, error.body ?? {}, was === null);
       if (error.status === 0) this.desk.say(t('doc-kept'), 'warning');
       else this.desk.sayError(error);
       return false;
     }
   }
 
-  // The file is not as it was read: another window or program has written it.
-  async settle(path, { text: theirs, sha256 }) {
-    const answer = await changedElsewhere(this.desk, path, this.text, theirs ?? '');
+  // The file is not as it was read: another window or program has written it, or a new file has the name of another.
+  async settle(path, { text: theirs, sha256 }, created) {
+    const answer = await changedElsewhere(this.desk, path, this.text, theirs ?? '', created);
     if (answer === 'mine') return this.write(path, sha256);
     if (answer !== 'theirs') return false;
     const had = { text: this.text, key: null, time: 0 };

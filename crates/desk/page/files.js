@@ -25,12 +25,12 @@ export async function nameForSaving(desk, path) {
 }
 
 /** Asks which of two texts of a file counts: 'mine', 'theirs' or null. */
-export async function changedElsewhere(desk, path, mine, theirs) {
+export async function changedElsewhere(desk, path, mine, theirs, created) {
   const choices = [
     { id: 'mine', title: t('doc-mine') }, { id: 'theirs', title: t('doc-theirs') },
     { id: 'difference', title: t('doc-difference'), kind: 'primary' }, { id: 'cancel', title: t('doc-cancel') },
   ];
-  let answer = await desk.ask(t('doc-conflict', { name: path }), choices, { title: t('doc-conflict-title') });
+  let answer = await desk.ask(t(created ? 'doc-exists' : 'doc-conflict', { name: path }), choices, { title: t(created ? 'doc-exists-title' : 'doc-conflict-title') });
   while (answer === 'difference') {
     const shown = h('div.stack', {}, h('p', {}, t('doc-difference-says')), differenceBlock(theirs, mine));
     answer = await desk.ask(shown, choices.filter((choice) => choice.id !== 'difference'), { title: path });

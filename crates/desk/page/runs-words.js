@@ -96,7 +96,7 @@ add({
   'run-stopping': ['stops …', 'hält an …'],
   'run-code-0': ['Everything required was checked and holds.', 'Alles Verlangte ist nachgewiesen und eingehalten.'],
   'run-code-0-plain': ['Finished.', 'Beendet.'],
-  'run-code-1': ['A check fails.', 'Ein Nachweis ist nicht eingehalten.'],
+  'run-code-1': ['At least one check fails.', 'Mindestens ein Nachweis ist nicht eingehalten.'],
   'run-code-2': ['The input has a fault; nothing was computed.', 'Die Eingabe hat einen Fehler; es wurde nichts gerechnet.'],
   'run-code-3': ['The computation failed or was interrupted, or the tank collapsed.', 'Die Rechnung ist gescheitert oder wurde unterbrochen, oder der Tank versagt.'],
   'run-code-4': ['Open: something required was not checked.', 'Offen: Etwas Verlangtes ist nicht nachgewiesen.'],

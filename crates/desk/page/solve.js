@@ -55,7 +55,7 @@ export class Solver {
 
   // The sentence of the page, what the search looked at, and the sentence of the program with its details.
   show(answer, variable) {
-    const use = answer.found && answer.text ? h('button.primary', { type: 'button', onclick: () => this.use(answer) }, t('solve-use', { value: answer.text })) : null;
+    const use = answer.found && answer.text ? h('button.primary', { type: 'button', onclick: () => this.use(answer) }, t('solve-use', { value: localised(String(answer.text)) })) : null;
     const thickness = variable.startsWith('thickness:');
     const name = thickness ? t('solve-found-thickness', { course: variable.split(':')[1] }) : t(`solve-found-${variable}`);
     const first = answer.found ? t('solve-found', { name, value: localised(String(answer.text)) }) : t('solve-none', { name });
