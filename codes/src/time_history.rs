@@ -194,8 +194,8 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
 /// Why nothing holds under a base that rocks differently each time.
 const SCATTERS: &str = "the rocking base does not repeat: motions 0.1 % apart or half the time step give other peaks, and the demand is one draw of many";
 
-/// Why nothing holds where the lifted side has lost its hoop force.
-const SOFTENED: &str = "the pressure of the motion takes the hoop force from the lifted side of a wall whose rim is not round: strips of the bottom plate lift too far and press too little at the toe; the nonlinear engine (`--fe nonlinear`) has shells";
+/// Why nothing holds where the motion takes too much of the pressure at rest from the bottom.
+const SOFTENED: &str = "the pressure of the motion on the bottom exceeds that up to which strips of the bottom plate hold: their moment, lift and toe stress are wrong; the nonlinear engine (`--fe nonlinear`) has shells";
 
 /// Why nothing holds where anchors break.
 const BROKEN: &str = "anchors break: the engine holds the tank in place along the ground all the same, and does not follow one that slides";

@@ -47,7 +47,7 @@ pub use ground::{Soil, subgrade_modulus};
 pub use heave::Heave;
 pub use law::{Law, Losses, Response, Spring};
 pub use march::{Lifted, Point};
-pub use model::{Base, Missing, Origin};
+pub use model::{Base, FOLLOWED, Missing, Origin};
 pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
 pub use stand::{PlatePoint, Stand, Stands};

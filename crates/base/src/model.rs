@@ -22,8 +22,10 @@ pub const SOIL: f64 = 1e8;
 /// Modulus of concrete under the rim [N/m³].
 pub const CONCRETE: f64 = 1e10;
 
+/// Largest bottom pressure of the motion over that at rest that the curves follow.
+pub const FOLLOWED: f64 = 0.5;
 /// Shares of the pressure at rest on the plate for which curves are kept, that at rest first: suction lowers it.
-const LEVELS: [f64; 4] = [1.0, 1.5, 0.75, 0.5];
+const LEVELS: [f64; 4] = [1.0, 1.0 + FOLLOWED, 0.75, 1.0 - FOLLOWED];
 
 /// Where the modulus of the ground comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

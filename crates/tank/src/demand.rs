@@ -80,7 +80,7 @@ pub struct FreeBase {
     pub lifts: bool,
     /// Whether runs that should agree do not: its demands are one draw of many.
     pub scatters: bool,
-    /// Whether the pressure of the motion takes the hoop force from the lifted side of a wall whose rim is not round, beyond what strips of the bottom hold.
+    /// Whether the pressure of the motion on the bottom exceeds that up to which strips of it hold.
     pub softened: bool,
     /// Whether its foot lifts and warps under a rim that is not round, with waves that have no inertia.
     pub warps: bool,

@@ -14,8 +14,6 @@ use results::{GroundPlan, Snapshot, Snapshots};
 
 /// Uplifts at which the plate is kept, from the lowest to the highest.
 const UPLIFTS: usize = 64;
-/// Lowest pressure on a strip over that at rest, as in the law of the base.
-const LOWEST: f64 = 0.5;
 /// Rotation from which the strips are drawn further and further [rad], and how often.
 const FIRST: (f64, usize) = (1e-4, 60);
 /// Radii of the plan, and how they crowd at the rim.
@@ -77,7 +75,7 @@ impl Floor {
     ///
     /// None where a strip has no equilibrium there.
     pub(super) fn of(base: &Base, [from, to]: [f64; 2], most: f64, shape: &dyn Fn(f64) -> f64) -> Option<Floor> {
-        let suction = most.min(LOWEST * base.pressure);
+        let suction = most.min(::base::FOLLOWED * base.pressure);
         // Close where the rim leaves the ground.
         let root = |w: f64| w.signum() * w.abs().sqrt();
         let (low, high) = (root(from), root(to));

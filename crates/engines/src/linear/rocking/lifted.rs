@@ -158,7 +158,8 @@ impl Moved {
         demands.base = Some(FreeBase {
             lifts: self.value("uplift") > 0.0,
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
-            softened: self.suction.is_some_and(|suction| !suction.holds()),
+            softened: self.suction.is_some_and(|suction| !suction.holds())
+                || self.swing.is_some_and(|swing| swing > ::base::FOLLOWED),
             warps: self.suction.is_some(),
             joint: self.joint(),
             anchor: self.anchor(),

@@ -32,6 +32,7 @@ pub(crate) fn limits(free: &Free, others: Vec<Limit>) -> Vec<Limit> {
     limits.extend(repeats(free));
     limits.extend(elastic_wall(free));
     limits.extend(hoop_force(free));
+    limits.extend(curves(free));
     limits.extend(unbroken(free));
     limits
 }
@@ -51,6 +52,13 @@ fn elastic_wall(free: &Free) -> Option<Limit> {
     let values = moved.wall?;
     let holds = values[0] <= values[1];
     Some(limit_of("base_wall", words::WALL, values, Dimension::Stress, holds, || words::WALL_YIELDS.into()))
+}
+
+/// The curves of the strips end at a bottom pressure; a limit only of a run that exceeds it.
+fn curves(free: &Free) -> Option<Limit> {
+    let swing = free.moved()?.swing.filter(|swing| *swing > ::base::FOLLOWED)?;
+    let values = [swing, ::base::FOLLOWED];
+    Some(limit_of("base_curves", words::CURVES, values, Dimension::Dimensionless, false, || words::CURVES_END.into()))
 }
 
 /// The lifted side of a wall whose rim is not round needs hoop force.

@@ -59,6 +59,8 @@ pub(crate) struct Moved {
     pub wall: Option<[f64; 2]>,
     /// Largest bottom pressure of the motion of a foot that lifts and warps.
     pub suction: Option<Suction>,
+    /// Largest bottom pressure of the motion over that at rest, of a foot that lifts.
+    pub swing: Option<f64>,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
     /// The bottom at any time for pictures, where they are asked for.
@@ -176,6 +178,7 @@ pub(super) fn moved(
         joint: base.yields().then(|| joint_cycles(&states, &found)),
         assumptions: words::assumptions(setup, base, &found),
     };
+    let swing = largest(&found.history.pressure).0;
     Moved {
         bottom: Bottom::of(setup, base, &found, &states),
         columns: columns(setup, &states, &found),
@@ -184,7 +187,8 @@ pub(super) fn moved(
         foot: states.foot,
         yields: base.yields(),
         slid: found.history.slid,
-        suction: base.suction(largest(&found.history.pressure).0).filter(|_| peaks.uplift.0 > 0.0),
+        suction: base.suction(swing).filter(|_| peaks.uplift.0 > 0.0),
+        swing: (peaks.uplift.0 > 0.0).then_some(swing.abs() / base.pressure),
         wall: base.wall_yield.map(|strength| {
             let point = found.laws.rocking.curve().at(peaks.uplift.0);
             [base.wall_stress(&point), strength]

@@ -42,6 +42,13 @@ pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, whi
 pub(super) const SUCTION: &str =
     "Bottom pressure of the motion over that at rest, where the base lifts under a rim of the wall that is not round";
 
+/// Name of the limit of the curves of the strips.
+pub(super) const CURVES: &str =
+    "Bottom pressure of the motion over that at rest, which the curves of the strips follow";
+/// What a pressure beyond the curves means.
+pub(super) const CURVES_END: &str = "The strips keep the pressure at which their curves end: of a squat tank under a round rim their moment was 16 to 46 % too large. Take the \
+     nonlinear engine (`--fe nonlinear`), whose wall and bottom are shells.";
+
 /// Strips that do not hold, and what to take instead.
 pub(super) fn softened(suction: &Suction) -> String {
     format!(
