@@ -11,6 +11,7 @@ pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
+mod moving;
 pub(crate) mod prepared;
 pub(crate) mod rocking;
 pub(crate) mod shared;
@@ -36,9 +37,9 @@ use around::Around;
 
 pub(crate) use analysis::Extent;
 use analysis::{Analysis, LineExtremes, analyse_on};
-use drawn::Drawn;
 use mesh_error::{Second, SecondMesh};
 use model::Model;
+use moving::MovingBase;
 use system::Harmonic;
 
 use super::harmonic::Places;
@@ -47,7 +48,7 @@ use super::{FeError, Simulation};
 use crate::checks::checked_motion;
 use results::channel::OnWall;
 use results::nonlinear::End;
-use results::{EngineId, Envelope, Mode, Run, SeriesInfo, Snapshots};
+use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::{Integrator, LiquidModel};
 
@@ -246,71 +247,6 @@ fn review(model: &Model) -> Result<Vec<String>, FeError> {
     Ok(notes)
 }
 
-/// A base that moves: on isolators, or a bottom plate that lifts or slides.
-struct MovingBase {
-    isolated: Option<isolation::Isolated>,
-    free: rocking::Free,
-}
-
-impl MovingBase {
-    /// The base of a tank whose response with the wall held down is `analysis`.
-    ///
-    /// Errors: a march on isolators that fails.
-    fn of(
-        case: &Case,
-        options: &Options,
-        linear: &Linear<'_>,
-        analysis: &Analysis<'_>,
-        motion: &GroundMotion,
-    ) -> Result<MovingBase, FeError> {
-        let of = (linear.engine, linear.model);
-        let asked = (options, linear.extent, linear.known, linear.states.is_some());
-        Ok(MovingBase {
-            isolated: isolation::isolated(case, linear.model, analysis, motion, options)?,
-            free: rocking::free(case, of, analysis, motion, asked),
-        })
-    }
-
-    /// The model on this base, where it moves.
-    fn model(&self, held: &Model) -> Option<Model> {
-        match &self.isolated {
-            Some(found) => Some(found.model(held)),
-            None => self.free.moved().map(|moved| moved.model(held)),
-        }
-    }
-
-    /// States of the tank on this base, where they are asked for.
-    ///
-    /// Errors: a response that is not finite.
-    fn states(
-        &self,
-        pictures: Option<Pictures>,
-        (case, model): (&Case, &Model),
-        (motion, options): (&GroundMotion, &Options),
-        analysis: &Analysis<'_>,
-    ) -> Result<Option<Snapshots>, FeError> {
-        let (bottom, isolated) = (self.free.bottom(), self.isolated.as_ref());
-        let drawn = Drawn { case, model, motion, options, analysis, bottom, isolated };
-        pictures.map(|pictures| drawn.states(pictures)).transpose()
-    }
-
-    /// The motion of the ground as the tank feels it: on isolators that of the slab.
-    fn motion(&self, ground: &GroundMotion) -> GroundMotion {
-        self.isolated.as_ref().map_or_else(|| ground.clone(), |found| found.motion.clone())
-    }
-
-    /// Puts the base's own values to those of the wall; `held`: those of the wall held down.
-    fn put(&mut self, analysis: &Analysis<'_>, held: &Values, values: &mut Values) {
-        if let Some(moved) = self.free.moved_mut() {
-            moved.complete(analysis, values, held);
-        }
-        if let Some(found) = &self.isolated {
-            rocking::of_base(&found.values, values);
-        }
-        self.free.rest(values);
-    }
-}
-
 /// Everything that is reported of a finished analysis.
 ///
 /// Errors: a response that is not finite.
@@ -340,10 +276,7 @@ fn report(
     let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     demands.wave = around.as_ref().map_or_else(|| demands::wave(&analysis), |around| around.wave);
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
-    if let Some(found) = &mut base.isolated {
-        found.complete(&analysis, &values, &held, &mut demands);
-        notes.extend(found.notes());
-    }
+    notes.extend(base.complete((&analysis, &values, &held), &mut demands));
     base.free.demands(&mut demands, (model, seen), &analysis, motion)?;
     demands::across(&mut demands, (model, linear.across.map(|second| second.model)), motion, options)?;
     if linear.extent == Extent::Values && moving.is_none() {
@@ -353,16 +286,11 @@ fn report(
     let hoop_place = fixed_place.flatten().or(hoop_place);
     notes.extend(soil::note(case, linear.engine, soil.is_some()));
     let histories = histories(linear.extent, motion, &analysis, around.as_ref(), &base);
-    if let Some(found) = &base.isolated {
-        analysis.grid = found.record_grid(analysis.grid);
-    }
+    analysis.grid = base.record_grid(analysis.grid);
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
-    let large = large(case, options, linear, (&analysis, &driven), &demands);
-    if let Some(large) = &large {
-        large.demands(&mut demands);
-    }
+    let large = large(case, options, linear, (&analysis, &driven), &mut demands);
     let nonlinear = large.as_ref().and_then(|large| large.judged).map(|(crest, trough)| [crest.value, trough]);
     let both = (&analysis, around.as_ref());
     let of_wall = limits::limits(case, seen, both, nonlinear, (motion.horizontal.dt, linear.engine));
@@ -375,13 +303,7 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
-        parts: base
-            .isolated
-            .iter()
-            .map(|found| found.part())
-            .chain(soil)
-            .chain(large.map(|large| large.part))
-            .collect(),
+        parts: base.part().into_iter().chain(soil).chain(large.map(|large| large.part)).collect(),
         envelopes: envelopes(linear.extent, seen, &analysis, base.free.moved()),
         limits: rocking::limits::limits(&base.free, of_wall),
         base: base.free.result(),
@@ -408,13 +330,14 @@ fn report(
     Ok(simulation)
 }
 
-/// The nonlinear liquid of the harmonic engine beside its linear one, where it is asked for or the wave is not small. A study, which scales values, has none.
+/// The nonlinear liquid of the harmonic engine beside its linear one, where it is asked for or the wave is not small, with its demands. A study, which scales
+/// values, has none.
 fn large(
     case: &Case,
     options: &Options,
     linear: &Linear<'_>,
     (analysis, motion): (&Analysis<'_>, &GroundMotion),
-    demands: &Demands,
+    demands: &mut Demands,
 ) -> Option<large_wave::Beside> {
     if linear.engine != EngineId::Harmonic {
         return None;
@@ -425,7 +348,9 @@ fn large(
         wave: demands.wave.map_or(0.0, |peak| peak.value),
     };
     let reported = linear.extent != Extent::Values;
-    large_wave::beside(case, (options.liquid, reported), (motion, options.rotation.as_ref()), &held)
+    let found = large_wave::beside(case, (options.liquid, reported), (motion, options.rotation.as_ref()), &held)?;
+    found.demands(demands);
+    Some(found)
 }
 
 /// Remarks on what model and analysis leave out of the tank and its motion.

@@ -35,7 +35,7 @@ use tank::Case;
 use tank::Shape;
 
 use super::contact::{Join, Joints};
-use super::elements::{WALL, add_liquid, add_roof, build_rows, condense, fit, iterates, penalty, pressures, support};
+use super::elements::{WALL, add_liquid, add_roof, build_rows, fit, iterates, penalty, pressures, support};
 use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
 use super::rings::name_rings;
@@ -178,7 +178,7 @@ fn ground_zone(model: &Model, assembler: &Assembler) -> Result<Arc<Zone>, FeErro
 }
 
 /// ω of the first sloshing mode of harmonic 1 [rad/s]; 0 without one.
-fn first_sloshing(liquid: &WallLiquid) -> f64 {
+pub(super) fn first_sloshing(liquid: &WallLiquid) -> f64 {
     let first = liquid.rim().iter().position(|r| r.harmonic == 1);
     (0..liquid.omega().len())
         .find(|&j| first.is_some_and(|r| liquid.rim()[r].row[liquid.wall() + j].abs() > 1e-9))
@@ -298,13 +298,9 @@ impl Parts {
             standing.found(plate, case, builder, options, &mut pressure)?;
             standing.wet(plate, builder, floor, operator)?;
         }
-        let founded = match crate::linear::soil::founded(case)?.filter(|_| plate.is_none()) {
-            Some(found) => {
-                let sloshing = first_sloshing(&liquid);
-                let own = Founded::add(found, builder, (cells.half, radius, sloshing))?;
-                Some((own, condense(case, &cells, operator, &[radius, 0.0])?))
-            }
-            None => None,
+        let founded = match plate {
+            Some(_) => None,
+            None => Founded::place(case, builder, (&cells, radius), (&liquid, operator))?,
         };
         Ok(Parts {
             radius,

@@ -21,12 +21,15 @@ use fem::element::super_element::SuperElement;
 use fem::linalg::{Matrix, dot};
 use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
+use tank::Case;
 
-use super::model::CylinderModel;
+use super::elements::condense;
+use super::mesh::Cells;
+use super::model::{CylinderModel, first_sloshing};
 use super::recorded::row;
 use crate::FeError;
 use crate::error::failed;
-use crate::linear::soil::{Ground, Slab};
+use crate::linear::soil::{self, Ground, Slab};
 
 /// Group of springs and dashpots below the slab.
 pub(super) const SLAB: &str = "slab";
@@ -42,10 +45,24 @@ pub(super) struct Founded {
 }
 
 impl Founded {
+    /// The slab on soil of a case, with the liquid over its floor that turns; none on rigid ground.
+    ///
+    /// Errors: soil out of range; those of the elements.
+    pub(super) fn place(
+        case: &Case,
+        builder: &mut Builder,
+        (cells, radius): (&Cells, f64),
+        (liquid, operator): (&WallLiquid, bool),
+    ) -> Result<Option<(Founded, WallLiquid)>, FeError> {
+        let Some(found) = soil::founded(case)? else { return Ok(None) };
+        let own = Founded::add(found, builder, (cells.half, radius, first_sloshing(liquid)))?;
+        Ok(Some((own, condense(case, cells, operator, &[radius, 0.0])?)))
+    }
+
     /// Adds the ground of a slab; `sloshing`: ω of the first sloshing mode [rad/s].
     ///
     /// Errors: those of the element.
-    pub(super) fn add(
+    fn add(
         (slab, ground): (Slab, Ground),
         builder: &mut Builder,
         (half, radius, sloshing): (bool, f64, f64),
