@@ -129,7 +129,7 @@ fn what_is_left_out_or_missing_is_said() {
     }
 }
 
-/// Under a free rim strips hold up to 0.397 of the pressure at rest, 128 kPa (0.75 · 0.529, the eigenvalue of the waves); under a round one there is no limit.
+/// Under a free rim strips hold up to 0.397 of the pressure at rest, 128 kPa (0.75 · 0.529, the eigenvalue of the waves); a round rim has no such limit.
 #[test]
 fn suction_beyond_what_strips_hold_is_a_limit() {
     let home = tempfile::tempdir().expect("a temporary folder");

@@ -22,7 +22,7 @@ pub trait Office: Send + Sync {
     /// * `from`: the file itself, from whose folder on they are found
     fn named(&self, from: &Path, text: &str) -> Vec<Named>;
 
-    /// The German of a refusal or its help; none where there is none.
+    /// The German of a refusal or of its help, if the catalogue has it.
     fn german(&self, text: &str) -> Option<String>;
 }
 

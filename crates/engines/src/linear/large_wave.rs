@@ -126,12 +126,12 @@ fn without_horizontal(motion: Motion) -> Motion {
 /// The components at the step of the record along x, for a duration [s].
 fn sampled((motion, rotation): (&GroundMotion, Option<&Record>), duration: f64) -> Sampled {
     let step = motion.horizontal.dt;
-    // Beyond the record there is no motion, but a base that has turned leans.
+    // After the record the ground is at rest, but the base may keep its rotation.
     let end = if rotation.is_some() { duration } else { motion.duration() };
     let count = (end / step).ceil() as usize + 1;
     let at = |record: Option<&Record>, time: f64| record.map_or(0.0, |r| between(&r.acceleration, time / r.dt));
     let angles = rotation.map_or_else(Vec::new, |r| angles(r.dt, r.acceleration.windows(2).map(|w| (w[0], w[1]))));
-    // The base stays as it leans when the record of its rotation ends.
+    // The base keeps the rotation that it has when the record ends.
     let last = angles.len().saturating_sub(1) as f64;
     let samples = (0..count).map(|i| {
         let time = i as f64 * step;

@@ -418,7 +418,7 @@ pub(super) fn subsoil(
             });
         }
     }
-    // A foundation that is not known has a fault of its own.
+    // An unknown kind of foundation is already a fault.
     if foundation.is_none() {
         return tank::Subsoil::default();
     }

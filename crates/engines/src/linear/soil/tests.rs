@@ -115,8 +115,8 @@ fn hard_soil_is_a_fixed_base() {
 }
 
 /// Statics: under an acceleration a that grows slowly the slab turns by −a S/K_θ, S as in [`first_moment_of_a_rigid_translation`],
-/// K_θ = 8 G R³/(3 (1 − ν)), and the surface leans over the level, whatever the ground. The rim goes up where the surface goes down, so that the
-/// wave relative to it is larger by R ψ. Discretisation of the liquid, and sloshing that is left of the start: 1 %.
+/// K_θ = 8 G R³/(3 (1 − ν)), and the surface tilts as it does on rigid ground. The rim rises where the surface falls, so that the
+/// wave relative to the rim is larger by R ψ. Discretisation of the liquid, and sloshing that is left of the start: 1 %.
 #[test]
 fn a_wave_is_measured_from_the_rim_that_turns() {
     let (dt, last, velocity, r, h) = (0.02, 4000, 80.0, 10.0, 11.0);
