@@ -120,7 +120,7 @@ fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
     let Some(given) = given else { return Ok(0.0) };
     let value = parse(given, Dimension::Stress).map_err(|e| unreadable("--bottom-pressure", given, &e))?;
     // Curves are kept down to half of the pressure at rest.
-    if (0.0..=0.5 * rest).contains(&value) {
+    if (0.0..=base::FOLLOWED * rest).contains(&value) {
         return Ok(value);
     }
     let allowed = format!("0 to {}, half of the pressure at rest", display(0.5 * rest, Dimension::Stress));

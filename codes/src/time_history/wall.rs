@@ -6,11 +6,11 @@ use tank::case::Case;
 use tank::quantity::Quantity;
 use tank::units::Dimension::Stress;
 
-use super::leave_open;
 use super::limit_states::{BENDING, EQUIVALENT};
 use super::ready::Ready;
 use super::search::{Capacity, Found, Search};
 use super::work::Work;
+use crate::base_state::leave_open;
 use crate::code::{WallLimit, WallStress, without_strength};
 use crate::sheet::{Sheet, without_lines};
 
@@ -60,7 +60,7 @@ struct Worst {
 }
 
 /// Why no compression holds above a foot that warps.
-const WARPS: &str = "strips leave out the inertia of the liquid that ovals with a wall whose rim is not round: in six histories shells had 1.2 to 1.6 times the stress at the toe; the nonlinear engine (`--fe nonlinear`) has shells";
+const WARPS: &str = "strips leave out the inertia of the liquid that ovals with a wall whose rim is not round: in six histories under free rims shells had 1.2 to 1.6 times the stress at the toe; the nonlinear engine (`--fe nonlinear`) has shells";
 
 /// Adds the checks of all limit states of a metal shell.
 pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
@@ -72,8 +72,7 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
         match asked.stress {
             WallStress::Hoop => keep(work, &found),
             WallStress::Compression if work.demands.base.as_ref().is_some_and(|base| base.warps) => {
-                let own = work.checks.iter_mut().filter(|check| check.limit_state == asked.state.id);
-                own.for_each(|check| leave_open(check, WARPS));
+                leave_open(&mut work.checks, &[asked.state.id], WARPS);
             }
             _ => {}
         }

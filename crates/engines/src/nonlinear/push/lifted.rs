@@ -99,13 +99,20 @@ fn lifted(angles: &[f64], rim: &[f64]) -> f64 {
     angles.windows(2).zip(rim.windows(2)).map(part).sum()
 }
 
+/// Strips beyond the pressure down to which their curves are drawn.
+const CURVES_END: &str = "The strips beside the shells do not hold at the largest acceleration: the bottom pressure of the motion exceeds half of that at rest, where \
+     their curves end; their moment is too large.";
+
 /// Why the strips beside the shells do not hold up to the largest acceleration at which the foot is lifted.
 pub(super) fn doubt(plan: &Plan, shells: &[PushShell]) -> Option<String> {
     let plate = plan.plate.as_ref().filter(|_| !plan.plane)?;
     let lifted = |p: &&PushPoint| p.base.is_some_and(|base| base.uplift > 0.0 && base.strips.is_some());
     let states = shells.iter().flat_map(|shell| shell.path.iter().filter(lifted));
     let most = states.map(|p| p.acceleration).fold(0.0, f64::max);
-    let suction = plate.base.suction(plate.suction() * most).filter(|suction| !suction.holds())?;
+    let pressure = plate.suction() * most;
+    let Some(suction) = plate.base.suction(pressure).filter(|suction| !suction.holds()) else {
+        return (pressure > ::base::FOLLOWED * plate.base.pressure).then(|| CURVES_END.to_owned());
+    };
     Some(format!(
         "The strips beside the shells do not hold at the largest acceleration: {}; they lift too far in the middle of the lifted side.",
         suction.reason()
