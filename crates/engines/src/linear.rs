@@ -37,6 +37,7 @@ use around::Around;
 
 pub(crate) use analysis::Extent;
 use analysis::{Analysis, LineExtremes, analyse_on};
+pub(crate) use drawn::Pictures;
 use mesh_error::{Second, SecondMesh};
 use model::Model;
 use moving::MovingBase;
@@ -87,15 +88,6 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
 /// Errors: as [`simulate`].
 pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
     simulate_to(case, options, (Extent::Whole, None), progress)
-}
-
-/// Times of the states that are kept for pictures.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pictures {
-    /// Time between two of them [s].
-    pub every: f64,
-    /// Whether there are more where the base shear is largest, if `every` does not resolve the first period of the wall.
-    pub close: bool,
 }
 
 /// [`simulate_watched`] that keeps states for pictures, to an extent.
@@ -307,7 +299,7 @@ fn report(
         envelopes: envelopes(linear.extent, seen, &analysis, base.free.moved()),
         limits: rocking::limits::limits(&base.free, of_wall),
         base: base.free.result(),
-        record_end: Some(record_end(motion)),
+        record_end: Some(motion.duration()),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
         mesh: model.horizontal.coupled.mesh.clone(),
@@ -435,12 +427,6 @@ fn histories(
         found.add(&mut histories);
     }
     histories
-}
-
-/// End of the longer record [s].
-fn record_end(motion: &GroundMotion) -> f64 {
-    let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
-    motion.horizontal.duration().max(vertical)
 }
 
 /// Envelopes at θ = 0 with the static state; none of a run that has not the extremes of all lines.

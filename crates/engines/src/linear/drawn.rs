@@ -18,7 +18,6 @@ use tank::case::GroundMotion;
 use tank::options::LinearOptions;
 use tank::options::linear::Integrator;
 
-use super::Pictures;
 use super::analysis::Analysis;
 use super::demands::{combine, stride};
 use super::isolation::Isolated;
@@ -34,6 +33,15 @@ use rows::{Amplitude, Rows};
 const MODES: usize = 3;
 /// States in the first period of the wall about the largest base shear, and most of them.
 const CLOSE: (f64, f64) = (5.0, 200.0);
+
+/// Times of the states that are kept for pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pictures {
+    /// Time between two of them [s].
+    pub every: f64,
+    /// Whether there are more where the base shear is largest, if `every` does not resolve the first period of the wall.
+    pub close: bool,
+}
 
 /// What is drawn.
 pub(super) struct Drawn<'a> {
@@ -149,7 +157,7 @@ impl Drawn<'_> {
                 false => history.extreme.peak().1,
             })
             .collect();
-        let end = peaks.iter().copied().fold(super::record_end(self.motion), f64::max);
+        let end = peaks.iter().copied().fold(self.motion.duration(), f64::max);
         let close = close.then(|| self.close(every)).flatten();
         let close = close.into_iter().flatten().filter(|time| (0.0..=end).contains(time));
         let place = |time: f64| ((time / step).round() as usize).min(count);

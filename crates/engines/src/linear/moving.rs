@@ -7,9 +7,9 @@ use tank::demand::Demands;
 use tank::options::LinearOptions as Options;
 
 use super::analysis::Analysis;
-use super::drawn::Drawn;
+use super::drawn::{Drawn, Pictures};
 use super::model::Model;
-use super::{Linear, Pictures, Values, isolation, rocking};
+use super::{Linear, Values, isolation, rocking};
 use crate::FeError;
 use crate::response::motion::Grid;
 
