@@ -13,7 +13,8 @@
 use std::f64::consts::TAU;
 
 use crate::error::{BaseError, positive};
-use crate::law::{Law, Response};
+use crate::law::Law;
+use crate::response::Response;
 use crate::rocking::{Rocking, Turn};
 
 /// Steps between no pull and that of all anchors at their yield force.

@@ -13,7 +13,8 @@
 //! between its places straight lines.
 
 use crate::error::BaseError;
-use crate::law::{Law, Response};
+use crate::law::Law;
+use crate::response::Response;
 use crate::rocking::Rocking;
 use crate::warp::WAVES;
 

@@ -11,7 +11,8 @@
 //! q_n are the modes of the body on a fixed base, ψ its rotation, s its slip; Γ_n^ψ, S and J are the rows of a rigid rotation. By
 //! reciprocity the row of the moment is that of the excitation. Modes that are left out follow statically.
 //!
-//! M(ψ, p_b) is the curve of the strips, which is elastic: it comes back the way it went. The parallel springs with friction (Iwan 1966)
+//! M(ψ, p_b) is the curve of the strips, which is elastic: it comes back the way it went; under a rim that ovals in time it also depends on where that is
+//! ([`crate::Waves`]), whose energy counts to what the base stores. The parallel springs with friction (Iwan 1966)
 //! share its concave part and turn η of it into loops; η makes the loss of a cycle that of the strips.
 //!
 //! Hilber, Hughes and Taylor's method; the moment is one equation in ψ̈, solved by Newton's method. The balance
@@ -44,6 +45,7 @@ use step::step;
 
 use crate::anchors::Bolts;
 use crate::error::BaseError;
+use crate::warp::WAVES;
 
 /// Histories at each step, and sums.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,8 +66,10 @@ pub struct History {
     pub resistance: Vec<f64>,
     /// Inertia force I [N].
     pub shear: Vec<f64>,
-    /// Displacement w₀ of the centre of the foot [m]; empty of a foot without mass.
+    /// Displacement w₀ of the centre of the foot [m]; empty of a foot without mass under a wall that does not oval in time.
     pub centre: Vec<f64>,
+    /// Waves of the foot from the side that the rotation lifts [m]; empty where they follow at once.
+    pub waves: Vec<[f64; WAVES]>,
     /// Pull of all anchors [N]; empty without them.
     pub pull: Vec<f64>,
     /// The same of the anchor that pulls most [N].
@@ -90,7 +94,7 @@ impl History {
     /// Empty, with room for a run.
     fn of(run: &Run<'_>) -> History {
         let room = |kept: bool| Vec::with_capacity(if kept { run.ground.len() } else { 0 });
-        let (heave, ring) = (run.heave.is_some(), run.ring.is_some());
+        let (centre, ring) = (run.heave.is_some() || run.waves.is_some(), run.ring.is_some());
         History {
             rotation: room(true),
             rotational_acceleration: room(true),
@@ -100,7 +104,8 @@ impl History {
             moment: room(true),
             resistance: room(true),
             shear: room(true),
-            centre: room(heave),
+            centre: room(centre),
+            waves: Vec::with_capacity(if run.waves.is_some() { run.ground.len() } else { 0 }),
             pull: room(ring),
             anchor_force: room(ring),
             anchor_place: Vec::with_capacity(if ring { run.ground.len() } else { 0 }),
@@ -121,6 +126,11 @@ impl History {
         self.shear.push(rates.shear);
         if run.heave.is_some() {
             self.centre.push(state.heave[0]);
+        }
+        if let Some(ovals) = &state.ovals {
+            let (centre, waves) = ovals.foot(state.psi[0]);
+            self.centre.push(centre);
+            self.waves.push(waves);
         }
         if let Some(ring) = run.ring {
             let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
@@ -202,7 +212,7 @@ impl<'a> March<'a> {
         } else {
             step(run, state, i)?;
         }
-        let rates = Rates::of(run, state, ground);
+        let rates = Rates::of(run, state, ground)?;
         if i > 0 {
             let mean = |f: fn(&Rates) -> f64| 0.5 * run.step * (f(before) + f(&rates));
             let (turn, way) = (state.psi[0] - before.psi, state.slip[0] - before.slip);

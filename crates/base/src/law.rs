@@ -16,6 +16,7 @@ use crate::error::BaseError;
 use crate::halves::side_by_side;
 use crate::march::Lifted;
 use crate::model::Base;
+use crate::response::Response;
 use crate::rocking::{Rocking, Turn};
 use crate::warp::WAVES;
 
@@ -87,15 +88,6 @@ impl Cubic {
             tangent: ((b - a) * 6.0 * (t - t2) + m * (1.0 - 4.0 * t + 3.0 * t2) + n * (3.0 * t2 - 2.0 * t)) / h,
         }
     }
-}
-
-/// Moment or force and its derivative.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Response {
-    /// M_b [N m], or the force along the ground [N].
-    pub moment: f64,
-    /// dM_b/dψ [N m], or that of the force by the displacement [N/m].
-    pub tangent: f64,
 }
 
 impl Law {
@@ -191,7 +183,7 @@ impl Law {
     }
 
     /// M(ψ, p_b) and its slope; straight on beyond the table.
-    fn curve(&self, psi: f64, suction: f64) -> Response {
+    pub(crate) fn curve(&self, psi: f64, suction: f64) -> Response {
         if psi < 0.0 {
             let mirrored = self.curve(-psi, -suction);
             return Response { moment: -mirrored.moment, ..mirrored };
@@ -210,8 +202,15 @@ impl Law {
     /// M_b and its slope; `slips` are those of the springs.
     pub fn respond(&self, psi: f64, suction: f64, hysteretic: f64, slips: &[f64]) -> Response {
         let curve = self.curve(psi, suction);
+        curve.and(self.loops(psi, curve, hysteretic, slips))
+    }
+
+    /// What the springs add to M_b and its slope.
+    ///
+    /// * `curve`: M(ψ, p_b)
+    pub(crate) fn loops(&self, psi: f64, curve: Response, hysteretic: f64, slips: &[f64]) -> Response {
         if hysteretic == 0.0 {
-            return curve;
+            return Response::default();
         }
         let (mut moment, mut tangent) = (self.linear * psi, self.linear);
         for (spring, slip) in self.springs.iter().zip(slips) {
@@ -221,10 +220,7 @@ impl Law {
                 tangent += spring.stiffness;
             }
         }
-        Response {
-            moment: (1.0 - hysteretic) * curve.moment + hysteretic * moment,
-            tangent: (1.0 - hysteretic) * curve.tangent + hysteretic * tangent,
-        }
+        Response { moment: hysteretic * (moment - curve.moment), tangent: hysteretic * (tangent - curve.tangent) }
     }
 
     /// Lets the springs slip to where ψ moves them; returns what they lose, without the factor η [J].

@@ -12,7 +12,8 @@
 use crate::curve::Curve;
 use crate::element::GAUSS;
 use crate::error::BaseError;
-use crate::warp::{Foot, WAVES, Warping, places};
+use crate::foot::{Foot, places};
+use crate::warp::{WAVES, Warping};
 use std::f64::consts::PI;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
@@ -116,6 +117,11 @@ impl Rocking {
         Rocking { warping, ..self }
     }
 
+    /// What resists the waves of the foot; none of one that stays plane.
+    pub(crate) fn warped(&self) -> Option<&Warping> {
+        self.warping.as_ref()
+    }
+
     /// Whether the foot warps.
     pub(crate) fn warps(&self) -> bool {
         self.warping.is_some()
@@ -136,6 +142,16 @@ impl Rocking {
         self.radius
     }
 
+    /// Weight w_t of wall and roof [N/m].
+    pub(crate) fn weight(&self) -> f64 {
+        self.weight
+    }
+
+    /// Smallest and largest suction that the curves hold [Pa].
+    pub(crate) fn suctions(&self) -> (f64, f64) {
+        (self.pressure() - self.curves[0].0, self.pressure() - self.curves[self.curves.len() - 1].0)
+    }
+
     /// The same base under more weight on its rim [N/m].
     #[must_use]
     pub fn heavier(&self, more: f64) -> Rocking {
@@ -148,7 +164,7 @@ impl Rocking {
     }
 
     /// F(w) under a pressure, and its slope; between the curves Lagrange's polynomial, none beyond them.
-    fn hold(&self, uplift: f64, pressure: f64) -> [f64; 2] {
+    pub(crate) fn hold(&self, uplift: f64, pressure: f64) -> [f64; 2] {
         if self.curves.len() == 1 {
             return self.curves[0].1.hold(uplift);
         }
@@ -220,7 +236,8 @@ impl Rocking {
         panels: usize,
         hold: &'a dyn Fn(f64, f64) -> [f64; 2],
     ) -> Foot<'a> {
-        Foot { radius: self.radius, weight: self.weight, warping, suction, places: places(panels), hold }
+        let wall = warping.under(suction);
+        Foot { radius: self.radius, weight: self.weight, wall, places: places(panels), hold }
     }
 
     /// Force [N] and moment [N m] of the strips at a rotation ψ [rad] ≥ 0 with the centre of the foot at w₀ [m], and a bottom pressure that is

@@ -8,12 +8,12 @@ use std::cell::{Cell, RefCell};
 
 use crate::curve::Curve;
 use crate::error::BaseError;
+use crate::foot::{Foot, places};
 use crate::march::Point;
 use crate::march::{Lifted, Shape};
 use crate::model::Base;
 use crate::rocking::{Turn, plane_section_by, turned};
 use crate::strip::Strip;
-use crate::warp::{Foot, places};
 
 /// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
 const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
@@ -199,7 +199,8 @@ fn grown(
             match &base.warping {
                 Some(warping) => {
                     // The pressures of the codes stand still on the wall.
-                    let foot = Foot { radius, weight, warping, suction: 0.0, places: places(WARPED), hold: &hold };
+                    let wall = warping.under(0.0);
+                    let foot = Foot { radius, weight, wall, places: places(WARPED), hold: &hold };
                     let near = last.map(|turn| foot.at(rotation, turn, (from, to)));
                     match near {
                         Some(Ok(turn)) => Ok(turn),

@@ -34,6 +34,7 @@ fn run(body: &Body, law: &Law, heave: Option<&Heave>, ground: &[f64], step: f64)
         law: Some(law),
         ring: None,
         heave,
+        waves: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,

@@ -3,6 +3,7 @@
 use super::modes::Motion;
 use super::state::{Run, State};
 use super::step::{dashpot, resist};
+use crate::error::BaseError;
 
 /// Energies [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,7 +59,7 @@ pub(super) struct Rates {
 }
 
 impl Rates {
-    pub(super) fn of(run: &Run<'_>, state: &State, ground: f64) -> Rates {
+    pub(super) fn of(run: &Run<'_>, state: &State, ground: f64) -> Result<Rates, BaseError> {
         let body = run.body;
         let (psi, s) = (state.psi, state.slip);
         let mut rates = Rates {
@@ -84,7 +85,7 @@ impl Rates {
         if let Some(law) = run.law {
             // An anchor that broke at the end of the step holds no more.
             rates.moment = match run.ring {
-                Some(_) => resist(run, law, state, (psi[0], state.pressure)).moment + state.lift.response.moment,
+                Some(_) => resist(run, law, state, (psi[0], state.pressure))?.moment + state.lift.response.moment,
                 None => state.held,
             };
             if let Some(heave) = run.heave {
@@ -92,6 +93,6 @@ impl Rates {
             }
             rates.radiated = dashpot(run, law, psi[0]) * psi[1];
         }
-        rates
+        Ok(rates)
     }
 }

@@ -1,6 +1,7 @@
 //! Friction under the bottom.
 
-use crate::law::{Response, Spring};
+use crate::law::Spring;
+use crate::response::Response;
 
 /// Share of its limit below which a spring sticks. One that has slipped stands at its limit but for rounding, which must not decide
 /// whether the dashpot beside it acts in the next step.

@@ -6,6 +6,7 @@ use super::modes::Modes;
 use crate::anchors::{Bolts, Ring};
 use crate::heave::{Heave, Lift};
 use crate::law::Law;
+use crate::waves::{Ovals, Waves};
 
 /// What is given to a run.
 #[derive(Clone, Debug)]
@@ -18,6 +19,8 @@ pub struct Run<'a> {
     pub ring: Option<&'a Ring>,
     /// The mass that the foot lifts; none lifts it without inertia.
     pub heave: Option<&'a Heave>,
+    /// The rim that ovals in time; none follows at once, or stays round.
+    pub waves: Option<&'a Waves>,
     /// Share η of the base's moment that is hysteretic.
     pub hysteretic: f64,
     /// Dashpot c_ψ of the closed base [N m s]; it opens with the contact.
@@ -46,6 +49,8 @@ pub(super) struct State {
     /// Displacement, velocity and acceleration of the centre of the foot, and what presses on it.
     pub heave: [f64; 3],
     pub lift: Lift,
+    /// Waves of a rim that ovals in time.
+    pub ovals: Option<Ovals>,
     /// What the damping of the foot loses in the last step [J].
     pub damped: f64,
     /// Anchors, and their loss in the last step [J].
@@ -81,6 +86,7 @@ impl State {
             lost: 0.0,
             heave: [run.heave.map_or(0.0, Heave::rest), 0.0, 0.0],
             lift: Lift::default(),
+            ovals: run.waves.map(Waves::at_rest),
             damped: 0.0,
             bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
             cost: 0.0,

@@ -7,7 +7,8 @@ use super::scheme::{BEGIN, BETA, GAMMA, ITERATIONS, moved, predicted};
 use super::state::{Run, State};
 use crate::error::BaseError;
 use crate::heave::{Heave, Lift, Step};
-use crate::law::{Law, Response};
+use crate::law::Law;
+use crate::response::Response;
 
 /// Newton's iterations of a step, before an equilibrium is enclosed and halved.
 const SWINGS: usize = 20;
@@ -21,6 +22,9 @@ pub(super) fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), Bas
     // The ground at the instant of the forces.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
     let sums = state.modes.sums();
+    if let (Some(waves), Some(ovals)) = (run.waves, &mut state.ovals) {
+        waves.begin(ovals, h);
+    }
     let limit = run.friction.as_ref().map(|f| (1.0 - BEGIN) * f.at(i) + BEGIN * f.at(i - 1));
     let shear = |[a, b]: [f64; 2]| sums.shift[0] + sums.shift[1] * a + sums.shift[2] * b;
     if let (Some(friction), Some(limit), false) = (&run.friction, limit, state.along.is_empty()) {
@@ -55,7 +59,7 @@ pub(super) fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), Bas
     // The slip runs against the inertia force; it ends where it would turn round, and the body sticks or slides back at once.
     let turns = sliding != 0.0 && velocity * sliding > 0.0;
     let back = if turns { Some(hold(state)?) } else { None };
-    advance(run, state, &sums, found);
+    advance(run, state, &sums, found)?;
     state.shear = shear(found);
     (state.sliding, state.slipping) = (sliding, slipping);
     state.slides = sliding != 0.0;
@@ -93,7 +97,7 @@ fn drag(
 ) -> Result<[f64; 2], BaseError> {
     state.dashpot = friction.delay * friction.drag(state.slip[0], held, &state.along).tangent;
     let found = accelerations(run, state, sums, ground, Way::Dragged(held))?;
-    advance(run, state, sums, found);
+    advance(run, state, sums, found)?;
     state.slipping = found[0] - ground;
     state.slip = moved(&state.slip, state.slipping, run.step);
     let answer = friction.drag(state.slip[0], held, &state.along);
@@ -114,6 +118,8 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     let psi = |b: f64| predicted[0] + BETA * h * h * b;
     let velocity = |b: f64| predicted[1] + GAMMA * h * b;
     let mut b = state.psi[2];
+    // A foot whose waves take time is in equilibrium up to 1e-7 of the weight.
+    let settled = if run.waves.is_some() { 1e-7 } else { 1e-12 };
     let mut scale = 0.0_f64;
     // Accelerations at which the base resists too little and too much; between them lies an equilibrium.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -121,11 +127,9 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     for iteration in 0..ITERATIONS {
         let [a, follows] = translation(b);
         let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
-        let mut response = resist(run, law, state, (psi(b), pressure));
+        let mut response = resist(run, law, state, (psi(b), pressure))?;
         if let Some(heave) = run.heave {
-            let lifted = lift(run, (heave, law), state, (psi(b), pressure)).response;
-            response.moment += lifted.moment;
-            response.tangent += lifted.tangent;
+            response = response.and(lift(run, (heave, law), state, (psi(b), pressure)).response);
         }
         let dashpot = dashpot(run, law, psi(b));
         let terms = [
@@ -137,7 +141,7 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
         ];
         let residual: f64 = terms.iter().sum();
         scale = terms.iter().fold(scale, |s, t| s.max(t.abs()));
-        if residual.abs() <= 1e-12 * scale {
+        if residual.abs() <= settled * scale {
             return Ok([a, b]);
         }
         if residual < 0.0 {
@@ -192,16 +196,31 @@ pub(super) fn dashpot(run: &Run<'_>, law: &Law, psi: f64) -> f64 {
 }
 
 /// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].
-pub(super) fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) -> Response {
-    let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
-    match run.ring.map(|ring| ring.pull(psi, pressure, &state.bolts).response) {
+///
+/// Errors: no equilibrium of a foot whose waves take time.
+pub(super) fn resist(
+    run: &Run<'_>,
+    law: &Law,
+    state: &State,
+    (psi, pressure): (f64, f64),
+) -> Result<Response, BaseError> {
+    let strips = match (run.waves, &state.ovals) {
+        (Some(waves), Some(ovals)) => {
+            let loops = law.loops(psi, law.curve(psi, pressure), run.hysteretic, &state.springs);
+            waves.response(ovals, (psi, pressure))?.and(loops)
+        }
+        _ => law.respond(psi, pressure, run.hysteretic, &state.springs),
+    };
+    Ok(match run.ring {
         None => strips,
-        Some(anchors) => Response { moment: strips.moment + anchors.moment, tangent: strips.tangent + anchors.tangent },
-    }
+        Some(ring) => strips.and(ring.pull(psi, pressure, &state.bolts).response),
+    })
 }
 
 /// Moves to the end of the step with these accelerations.
-fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
+///
+/// Errors: as [`resist`].
+fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) -> Result<(), BaseError> {
     let h = run.step;
     state.modes.advance([a, b]);
     let turned = state.psi[0];
@@ -209,7 +228,10 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
     let turned = state.psi[0] - turned;
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
     if let Some(law) = run.law {
-        let mut moment = resist(run, law, state, (state.psi[0], state.pressure)).moment;
+        let mut moment = resist(run, law, state, (state.psi[0], state.pressure))?.moment;
+        if let (Some(waves), Some(ovals)) = (run.waves, &mut state.ovals) {
+            waves.end(ovals, state.pressure, h);
+        }
         if let Some(heave) = run.heave {
             let lift = lift(run, (heave, law), state, (state.psi[0], state.pressure));
             moment += lift.response.moment;
@@ -235,4 +257,5 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
             }
         }
     }
+    Ok(())
 }

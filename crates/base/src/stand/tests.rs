@@ -10,10 +10,10 @@ use tank::reference::{case, material};
 use tank::{Bottom, Case, Shape};
 
 use super::{Stand, Stands};
+use crate::foot::{Foot, places};
 use crate::march::Lifted;
 use crate::model::Base;
 use crate::rocking::plane_section;
-use crate::warp::{Foot, places};
 
 /// A tank with a bottom plate: R, H [m], ρ; wall, plate [m]; f_y, E [Pa].
 fn base([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, modulus]: [f64; 2]) -> Base {
@@ -147,7 +147,7 @@ fn fewer_panels_give_the_same_warped_foot() {
         let hold = |w: f64, _: f64| curve.hold(w);
         let warping = base.warping.as_ref().unwrap();
         let foot =
-            Foot { radius: base.radius, weight: 21_350.0, warping, suction: 0.0, places: places(400), hold: &hold };
+            Foot { radius: base.radius, weight: 21_350.0, wall: warping.under(0.0), places: places(400), hold: &hold };
         let fine = foot.at(found.rotation, &found, curve.range()).unwrap();
         close(found.moment, fine.moment, 1e-3);
         close(found.uplift, fine.uplift, 1e-3);

@@ -27,6 +27,7 @@ fn walled(slope: [f64; 2], stiffness: f64) -> Rocking {
     let (held, top) = ([1.0 / stiffness; WAVES], Top::Round);
     springs(slope).warping(Some(Warping {
         free,
+        mass: [1.0; WAVES],
         sucked,
         held,
         top,
@@ -112,7 +113,7 @@ fn a_pressure_with_the_cosine_couples_neighbours() {
     assert!((own / ((c * square * (height / radius).powi(2) - 0.5 * level) / (2.0 * radius)) - 1.0).abs() < 1e-12);
     assert!((found / (pressure * even) - 1.0).abs() < 1e-3, "{found} {}", pressure * even);
     warping.held = [0.0; WAVES];
-    assert_eq!(warping.under(1e4).0[0][1], -1e4 * own);
+    assert_eq!(warping.under(1e4).stiffness[0][1], -1e4 * own);
 }
 
 #[test]
@@ -173,7 +174,7 @@ fn a_foot_that_is_held_in_equilibrium() {
 }
 
 /// The squat tank of `docs/theory/base.md`, section 2: 0.536 of the pressure at rest under a free rim and 1.285 under a girder of 4e-4 m⁴, from the
-/// eigenvalues of the full matrices by LAPACK (scipy.linalg.eigh). 75 % of the first is the 0.4 from which on shells differ.
+/// eigenvalues of the full matrices by LAPACK (scipy.linalg.eigh).
 #[test]
 fn the_lifted_side_softens_at_a_pressure() {
     let steel = tank::reference::material(205e9, 0.3, 7850.0);
@@ -183,13 +184,12 @@ fn the_lifted_side_softens_at_a_pressure() {
     let rest = 1000.0 * case.gravity * 9.0;
     let free = Warping::of(&case).unwrap();
     assert!((free.softened() / rest - 0.536).abs() < 1e-3, "{}", free.softened() / rest);
-    assert!((free.largest_suction().unwrap() / rest - 0.402).abs() < 1e-3);
     let girder = tank::Ring { height: 10.0, area: 1.2e-2, inertia: 4e-4, material: steel };
     case.tank.rings.push(girder);
     let held = Warping::of(&case).unwrap();
     assert!((held.softened() / rest - 1.285).abs() < 1e-3, "{}", held.softened() / rest);
     case.tank.roof.holds = tank::RimSupport::Round;
-    assert_eq!(Warping::of(&case).unwrap().largest_suction(), None);
+    assert_eq!(Warping::of(&case).unwrap().softening(), None);
 }
 
 /// The waves of Δp with m = 1 alone couple neighbours as the pressure of the motion does.
@@ -252,5 +252,35 @@ fn strips_beside_shells_whose_liquid_does_not_pull() {
         assert!((parts.moment / moment - 1.0).abs() < 0.05, "{parts:?}");
         assert!((2.0 * parts.lifted_angle / angle - 1.0).abs() < 0.02, "{parts:?}");
         assert!(parts.uplift - uplift < 4e-3 && parts.uplift < 0.7 * pulls.uplift, "{parts:?} {pulls:?}");
+    }
+}
+
+/// In a slender tank the liquid of a wave is that around a cylinder that ovals in a plane, ρ R/n per area: ∫ (n² z/R)² ρ R/n dz = n³ ρ H³/(3 R). What comes
+/// after sixty terms of the series is 6/(60 π²) = 1 % there, and the surface takes about as much of a depth of 200 radii.
+#[test]
+fn liquid_that_ovals_in_a_slender_tank() {
+    for n in [2, 3, 7] {
+        let found = ovalling(n, 0.005, 1.0);
+        assert!((found / (0.005 / n as f64 / 3.0) - 1.0).abs() < 0.02, "{n}: {found}");
+    }
+}
+
+/// I_n(x)/I_n′(x) by order and argument (scipy.special.ive).
+const RATIOS: [(usize, f64, f64); 8] = [
+    (1, 0.3, 0.29342261),
+    (1, 20.0, 1.02460303),
+    (2, 5.0, 1.00993566),
+    (12, 30.0, 0.941059493),
+    (12, 49.9, 0.981351348),
+    (12, 50.1, 0.981534542),
+    (1, 60.0, 1.00829564),
+    (7, 200.0, 1.00189131),
+];
+
+/// Within 1e-4, the next term of Debye's series.
+#[test]
+fn ratios_of_bessel_functions() {
+    for (n, x, wanted) in RATIOS {
+        assert!((bessel(n, x) / wanted - 1.0).abs() < 1e-4, "{n} {x}: {}", bessel(n, x));
     }
 }

@@ -24,12 +24,9 @@ const ANCHORS: usize = 4;
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let reference = source.results.reference();
-    let Some(run) = reference.and_then(|run| run.base.as_ref()) else { return Ok(None) };
-    let warps = reference.is_some_and(|run| run.limits.iter().any(|limit| limit.id == "base_suction"));
+    let Some(run) = source.results.reference().and_then(|run| run.base.as_ref()) else { return Ok(None) };
     let mut section = Section::new("base");
     section.set("values", &values(run, source.level));
-    section.set("waves", &warps.then_some(words::WAVES));
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
     section.set("anchors", &run.anchors.as_ref().map(words::anchors));

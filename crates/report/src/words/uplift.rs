@@ -28,10 +28,6 @@ pub fn quantity(id: &str) -> &str {
     }
 }
 
-/// What a foot that warps in strips leaves out (docs/theory/base.md, section 6).
-pub const WAVES: &str = "The rim of the wall is not round, and the waves of its foot have inertia, which strips leave out: in six histories under free rims shells \
-     lifted less and had 1.2 to 1.6 times the stress at the toe.";
-
 /// Titles of the tables: values, band of the ground, energies.
 pub const TABLES: [&str; 3] =
     ["Largest values of the base", "Values on softer and on stiffer ground", "Energies of the lifting base"];

@@ -117,6 +117,7 @@ fn shaken() -> Answer {
         law: Some(&law),
         ring: Some(&ring),
         heave: None,
+        waves: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,

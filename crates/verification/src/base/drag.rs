@@ -102,6 +102,7 @@ fn cycle(drag: &Drag, mass: f64, peak: f64) -> Result<[f64; 2], Failure> {
             law: None,
             ring: None,
             heave: None,
+            waves: None,
             hysteretic: 0.0,
             dashpot: 0.0,
             friction: Some(Friction {

@@ -86,6 +86,7 @@ impl Impulsive {
             law: Some(law),
             ring: None,
             heave: None,
+            waves: None,
             hysteretic: 0.0,
             dashpot: 0.0,
             friction: None,

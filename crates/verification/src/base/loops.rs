@@ -185,6 +185,7 @@ fn shaken() -> Answer {
                 law: Some(&law),
                 ring: None,
                 heave: None,
+                waves: None,
                 hysteretic: share,
                 dashpot: 0.0,
                 friction: None,

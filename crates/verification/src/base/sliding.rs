@@ -37,6 +37,7 @@ fn slide(ground: &[f64], step: f64, coefficient: f64, vertical: Vec<f64>) -> Res
         law: None,
         ring: None,
         heave: None,
+        waves: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: Some(Friction { coefficient, weight: MASS * GRAVITY, vertical, springs: Vec::new(), delay: 0.0 }),

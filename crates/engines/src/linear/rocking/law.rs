@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::setup::{Laws, Setup};
-use ::base::{Base, BaseError, Heave, Law, Ring, Rocking};
+use ::base::{Base, BaseError, Heave, Law, Ring, Rocking, Waves};
 use tank::STANDARD_GRAVITY;
 
 /// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
@@ -38,6 +38,11 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
     let mut tries = 0;
     loop {
         let rocking = base.rocking(-pressed, lifted, true)?;
+        // Under a mass on the foot the waves follow at once.
+        let (rocking, waves) = match setup.heave {
+            Some(_) => (rocking, None),
+            None => Waves::of(rocking, setup.damping)?,
+        };
         let made = Law::new(&rocking, largest).and_then(|law| {
             let ring = setup.anchors.map(|anchors| Ring::new(anchors, &rocking, &law)).transpose()?;
             let heave = if ring.is_none() { heave(setup, base, &rocking, &law)? } else { None };
@@ -54,7 +59,7 @@ pub(super) fn law(setup: &Setup, base: &Base, largest: f64) -> Result<Laws, Base
             }
             other => {
                 let (law, ring, heave) = other?;
-                return Ok(Laws { rocking, law, ring, heave, losses: OnceLock::new() });
+                return Ok(Laws { rocking, law, ring, heave, waves, losses: OnceLock::new() });
             }
         }
     }

@@ -160,7 +160,7 @@ impl Moved {
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
             softened: self.suction.is_some_and(|suction| !suction.holds())
                 || self.swing.is_some_and(|swing| swing > ::base::FOLLOWED),
-            warps: self.suction.is_some(),
+            warps: self.suction.is_some() && self.warps_at_once,
             joint: self.joint(),
             anchor: self.anchor(),
             elastic_wall: true,

@@ -59,6 +59,8 @@ pub(crate) struct Moved {
     pub wall: Option<[f64; 2]>,
     /// Largest bottom pressure of the motion of a foot that lifts and warps.
     pub suction: Option<Suction>,
+    /// Whether waves of its foot follow at once, without inertia.
+    pub warps_at_once: bool,
     /// Largest bottom pressure of the motion over that at rest, of a foot that lifts.
     pub swing: Option<f64>,
     /// Its histories at the steps of the record.
@@ -187,7 +189,8 @@ pub(super) fn moved(
         foot: states.foot,
         yields: base.yields(),
         slid: found.history.slid,
-        suction: base.suction(swing).filter(|_| peaks.uplift.0 > 0.0),
+        suction: base.suction_in_time(swing).filter(|_| peaks.uplift.0 > 0.0),
+        warps_at_once: found.laws.waves.is_none(),
         swing: (peaks.uplift.0 > 0.0).then_some(swing.abs() / base.pressure),
         wall: base.wall_yield.map(|strength| {
             let point = found.laws.rocking.curve().at(peaks.uplift.0);

@@ -62,8 +62,8 @@ pub(super) fn turns(laws: &Laws, history: &History) -> impl Iterator<Item = Turn
         (Some(ring), Some(pull)) => ring.turn(*psi, *suction, *pull),
         _ => match history.centre.get(i) {
             Some(centre) => {
-                let heave = laws.heave.as_ref();
-                let waves = heave.map(|heave| heave.waves(&laws.law, (*psi, *centre), *suction)).unwrap_or_default();
+                let heave = || Some(laws.heave.as_ref()?.waves(&laws.law, (*psi, *centre), *suction));
+                let waves = history.waves.get(i).copied().or_else(heave).unwrap_or_default();
                 laws.rocking.moved((*psi, *centre), waves, history.moment[i], *suction)
             }
             None => laws.law.turn(*psi, *suction),

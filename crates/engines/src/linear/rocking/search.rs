@@ -69,6 +69,7 @@ fn given<'a>(setup: &'a Setup, laws: &'a Laws, (hysteretic, dashpot): (f64, f64)
         law: Some(&laws.law),
         ring: laws.ring.as_ref(),
         heave: laws.heave.as_ref(),
+        waves: laws.waves.as_ref(),
         hysteretic,
         dashpot,
         friction: setup.friction.clone(),

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use ::base::history::{Body, Friction};
-use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil};
+use ::base::{Anchors, Base, BaseError, Drag, Heave, Law, Losses, Ring, Rocking, Soil, Waves};
 use tank::options::linear::Heave as AskedHeave;
 
 /// How much farther than asked a law that is known may reach: its points lie that much farther apart.
@@ -30,6 +30,8 @@ pub(super) struct Setup {
     pub anchors: Option<Anchors>,
     /// Inertia on the foot, where it is asked for.
     pub heave: Option<AskedHeave>,
+    /// Damping ratio of the wall.
+    pub damping: f64,
     /// Damping over stiffness of plate and ground, as that of the wall at its impulsive mode [s].
     pub delay: f64,
     /// Damping of the closed ground, of critical, and over its stiffness [s].
@@ -89,6 +91,8 @@ pub(super) struct Laws {
     pub ring: Option<Ring>,
     /// Wall and roof that the foot lifts.
     pub heave: Option<Heave>,
+    /// A rim that ovals in time.
+    pub waves: Option<Waves>,
     /// Loss of its strips, once it is asked for.
     pub losses: OnceLock<Losses>,
 }

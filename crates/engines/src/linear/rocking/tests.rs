@@ -85,6 +85,7 @@ fn fixed(setup: &Setup) -> ::base::history::History {
         law: None,
         ring: None,
         heave: None,
+        waves: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,

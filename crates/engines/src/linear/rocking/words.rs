@@ -1,6 +1,6 @@
 //! Notes and assumptions of a run on a free base.
 
-use ::base::{Base, Suction, Top};
+use ::base::{Base, Suction, Top, WAVES};
 use results::{BaseSpread, MissedBand};
 use tank::units::{Dimension, display, significant};
 
@@ -52,8 +52,9 @@ pub(super) const CURVES_END: &str = "The strips keep the pressure at which their
 /// Strips that do not hold, and what to take instead.
 pub(super) fn softened(suction: &Suction) -> String {
     format!(
-        "Uplift, moment and toe stress do not hold: {}. Take the nonlinear engine (`--fe nonlinear`), whose wall and bottom are shells.",
-        suction.lifts_too_far()
+        "Uplift, moment and toe stress do not hold: {}: shells of a squat tank had 1.1 to 1.5 times the stress at the toe. Take the nonlinear engine \
+         (`--fe nonlinear`), whose wall and bottom are shells.",
+        suction.reason()
     )
 }
 
@@ -155,8 +156,25 @@ pub(super) fn band_note(missed: &MissedBand) -> String {
 /// Thicknesses of a tank that corrodes.
 const AS_BUILT: &str = "Bottom plate and wall are those as built: the sheets of the codes take them less corrosion, and their uplift is larger for that.";
 
-/// What the waves of a foot leave out, and how far that goes in shells (docs/theory/base.md, section 6).
-const WAVES_AT_ONCE: &str = "The waves of the foot follow at once: the inertia of the liquid that ovals with the wall is left out. Three tanks lifted 1.1 to 1.5 times as far as shells, with 0.6 to 0.9 of their stress at the toe.";
+/// The waves of a foot that lifts a mass.
+const WAVES_AT_ONCE: &str =
+    "The waves of the foot follow at once: the inertia of the liquid that ovals with the wall is left out.";
+
+/// The waves of a rim that is not round.
+fn waves(base: &Base, setup: &Setup, found: &Found) -> Option<String> {
+    if matches!(base.top(), None | Some(Top::Round)) {
+        return None;
+    }
+    if found.laws.waves.is_none() {
+        return Some(WAVES_AT_ONCE.into());
+    }
+    Some(format!(
+        "Above its foot the wall ovals in time with the liquid, without strain of its membrane but for that between foot and wall: waves 2 to {} with {} % of \
+         critical damping.",
+        WAVES + 1,
+        significant(100.0 * setup.damping, 2)
+    ))
+}
 
 /// Assumptions, one sentence each.
 pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
@@ -174,7 +192,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
-    list.extend(matches!(base.top(), Some(Top::Free | Top::Rings)).then(|| WAVES_AT_ONCE.into()));
+    list.extend(waves(base, setup, found));
     list.extend(setup.corrodes.then(|| AS_BUILT.into()));
     if let Some(heave) = &found.laws.heave {
         list.push(format!(

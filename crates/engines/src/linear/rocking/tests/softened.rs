@@ -19,7 +19,7 @@ fn squat(holds: RimSupport, peak: f64) -> Case {
     case
 }
 
-/// Under a free rim the run exceeds the limit of its strips, 0.40 of the pressure at rest (0.75 · 0.536), names the nonlinear engine, and its demands
+/// Under a free rim the run exceeds the limit of its strips, 0.35 of the pressure at rest (0.65 · 0.536), names the nonlinear engine, and its demands
 /// hold nothing. Under a round rim there is no such limit.
 #[test]
 fn a_squat_tank_under_a_free_rim_exceeds_its_limit() {
@@ -32,7 +32,7 @@ fn a_squat_tank_under_a_free_rim_exceeds_its_limit() {
         assert_eq!(limit.is_some(), exceeds, "{holds:?}");
         let Some(limit) = limit else { continue };
         assert!(
-            demands.softened && !limit.holds && limit.value > 0.45 && (limit.limit - 0.402).abs() < 1e-3,
+            demands.softened && !limit.holds && limit.value > 0.45 && (limit.limit - 0.348).abs() < 1e-3,
             "{limit:?}"
         );
         assert!(limit.note.contains("--fe nonlinear"), "{}", limit.note);

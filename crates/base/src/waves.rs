@@ -1,0 +1,191 @@
+//! Waves of the foot in time: the wall ovals with the liquid, which takes as long as its inertia lets it.
+//!
+//! ```text
+//! m_n ä_n + c_n ȧ_n + Σ K_nm(p_b) a_m = f_n          f_n = (U_n − a_n)/H_n          ∫ F(w, p − p_b cos φ) cos nφ dφ + π f_n = 0
+//! M = M(ψ, p_b; a)                                  c_n = 2 ξ √(K_n m_n)
+//! ```
+//!
+//! a_n are the waves of a wall that ovals, U_n those of its foot, H_n the membrane between them ([`crate::Warping`]). A motion that is short beside the
+//! periods of the waves leaves the wall round, and M is that of a round rim; a slow one finds the rim that warps.
+//!
+//! The waves move by central differences: their shortest period is a hundred and more steps long. The foot is in equilibrium at each end of a step.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use crate::error::BaseError;
+use crate::foot::{Foot, Place, Standing, places};
+use crate::response::Response;
+use crate::rocking::Rocking;
+use crate::warp::{Top, WAVES, Wall, Warping};
+
+/// Panels of three Gauss points from the lifted side to the toe: half of those of M(ψ), which changes the moment by less than 0.1 %.
+const PANELS: usize = 24;
+/// Even parts of the range of uplifts in which the search of a place begins.
+const BINS: usize = 1024;
+/// Pressures on the plate of the table, over the range of the curves; straight lines between them.
+const LEVELS: usize = 9;
+
+/// A wall that ovals in time.
+#[derive(Clone, Debug)]
+pub struct Waves {
+    radius: f64,
+    weight: f64,
+    warping: Warping,
+    /// c_n [N s/m²].
+    damping: [f64; WAVES],
+    /// Displacement w₀ of the centre at rest [m].
+    rest: f64,
+    strips: Strips,
+}
+
+/// The waves in a run, from the side that a positive rotation lifts.
+#[derive(Clone, Debug)]
+pub(crate) struct Ovals {
+    /// a_n, ȧ_n and ä_n.
+    place: [f64; WAVES],
+    velocity: [f64; WAVES],
+    acceleration: [f64; WAVES],
+    /// The foot, as last found.
+    foot: RefCell<Standing>,
+    places: Rc<[Place]>,
+}
+
+impl Waves {
+    /// The rim of a base that is not kept round, with damping ratio ξ of the waves; the base is left with one that is, as short motions find it. None where
+    /// nothing ovals.
+    ///
+    /// Errors: no equilibrium at rest.
+    pub fn of(rocking: Rocking, damping: f64) -> Result<(Rocking, Option<Waves>), BaseError> {
+        let Some(warping) = rocking.warped().filter(|w| w.top() != Top::Round).cloned() else {
+            return Ok((rocking, None));
+        };
+        let round = rocking.warping(Some(warping.round()));
+        let waves = Waves {
+            radius: round.radius(),
+            weight: round.weight(),
+            damping: std::array::from_fn(|n| 2.0 * damping * (warping.ovalling(n) * warping.mass(n)).sqrt()),
+            rest: round.at(0.0, 0.0)?.centre,
+            strips: Strips::of(&round),
+            warping,
+        };
+        Ok((round, Some(waves)))
+    }
+
+    pub(crate) fn at_rest(&self) -> Ovals {
+        let still = [0.0; WAVES];
+        let (place, velocity, acceleration) = (still, still, still);
+        Ovals {
+            place,
+            velocity,
+            acceleration,
+            foot: RefCell::new(Standing::upright(self.rest)),
+            places: places(PANELS),
+        }
+    }
+
+    /// Moves the waves to the end of a step [s].
+    pub(crate) fn begin(&self, ovals: &mut Ovals, step: f64) {
+        for n in 0..WAVES {
+            ovals.place[n] += step * (ovals.velocity[n] + 0.5 * step * ovals.acceleration[n]);
+        }
+    }
+
+    /// Moment of the foot at a rotation [rad] and a bottom pressure [Pa], and its derivative.
+    ///
+    /// Errors: no equilibrium.
+    pub(crate) fn response(&self, ovals: &Ovals, (psi, suction): (f64, f64)) -> Result<Response, BaseError> {
+        let (mut stiffness, mut load) = ([[0.0; WAVES]; WAVES], [0.0; WAVES]);
+        for n in 0..WAVES {
+            stiffness[n][n] = 1.0 / self.warping.membrane(n);
+            load[n] = ovals.place[n] / self.warping.membrane(n);
+        }
+        let hold = |uplift: f64, cos: f64| self.strips.hold(uplift, suction * cos);
+        let wall = Wall { stiffness, load };
+        let foot =
+            Foot { radius: self.radius, weight: self.weight, wall, places: Rc::clone(&ovals.places), hold: &hold };
+        foot.follow(psi, &mut ovals.foot.borrow_mut())
+    }
+
+    /// Ends a step [s] with the foot where [`Waves::response`] found it last, under a bottom pressure [Pa].
+    pub(crate) fn end(&self, ovals: &mut Ovals, suction: f64, step: f64) {
+        let foot = ovals.foot.borrow().unknowns;
+        let own = self.warping.forces(&ovals.place, suction);
+        for n in 0..WAVES {
+            let pull = (foot[n + 1] - ovals.place[n]) / self.warping.membrane(n);
+            let half = ovals.velocity[n] + 0.5 * step * ovals.acceleration[n];
+            let inertia = self.warping.mass(n) + 0.5 * step * self.damping[n];
+            ovals.acceleration[n] = (pull - own[n] - self.damping[n] * half) / inertia;
+            ovals.velocity[n] = half + 0.5 * step * ovals.acceleration[n];
+        }
+    }
+}
+
+impl Ovals {
+    /// Centre and waves of the foot [m], the waves from the side that a rotation lifts.
+    pub(crate) fn foot(&self, psi: f64) -> (f64, [f64; WAVES]) {
+        let foot = self.foot.borrow().unknowns;
+        let side = |n: usize| if psi < 0.0 && n % 2 == 1 { -1.0 } else { 1.0 };
+        (foot[0], std::array::from_fn(|n| side(n) * foot[n + 1]))
+    }
+}
+
+/// Pull of a strip [N/m] by uplift and pressure, a table: cubics between uplifts.
+#[derive(Clone, Debug)]
+struct Strips {
+    uplifts: Vec<f64>,
+    /// First place that is not below each of [`BINS`] even shares of the range of uplifts.
+    bins: Vec<usize>,
+    /// Bins per metre.
+    fine: f64,
+    /// Suctions of the first level and between two levels [Pa].
+    first: f64,
+    apart: f64,
+    /// Coefficients by level, then interval of uplifts.
+    cubics: Vec<Vec<[f64; 4]>>,
+}
+
+impl Strips {
+    fn of(rocking: &Rocking) -> Strips {
+        let (low, high) = rocking.suctions();
+        let apart = ((high - low) / (LEVELS - 1) as f64).max(f64::MIN_POSITIVE);
+        let uplifts: Vec<f64> = rocking.curve().points().iter().map(|p| p.uplift).collect();
+        let level = |k: usize| {
+            let at = |w: f64| rocking.hold(w, rocking.pressure() - low - apart * k as f64);
+            let between = |pair: &[f64]| {
+                let (h, [a, m], [b, n]) = (pair[1] - pair[0], at(pair[0]), at(pair[1]));
+                let secant = (b - a) / h;
+                [a, m, (3.0 * secant - 2.0 * m - n) / h, (m + n - 2.0 * secant) / (h * h)]
+            };
+            uplifts.windows(2).map(between).collect()
+        };
+        let (from, fine) = (uplifts[0], BINS as f64 / (uplifts[uplifts.len() - 1] - uplifts[0]));
+        let bin = |i: usize| uplifts.partition_point(|w| *w < from + i as f64 / fine);
+        let bins = (0..=BINS).map(bin).collect();
+        Strips { bins, fine, first: low, apart, cubics: (0..LEVELS).map(level).collect(), uplifts }
+    }
+
+    /// F and dF/dw; straight on beyond the uplifts.
+    fn hold(&self, uplift: f64, suction: f64) -> [f64; 2] {
+        let last = self.uplifts.len() - 1;
+        let bin = ((uplift - self.uplifts[0]) * self.fine).clamp(0.0, BINS as f64) as usize;
+        // Rounding may put the bin beyond the uplift.
+        let mut i = self.bins[bin.saturating_sub(1)].max(1);
+        while i < last && self.uplifts[i] < uplift {
+            i += 1;
+        }
+        i -= 1;
+        let x = uplift.clamp(self.uplifts[i], self.uplifts[i + 1]) - self.uplifts[i];
+        let beyond = uplift - self.uplifts[i] - x;
+        let level = ((suction - self.first) / self.apart).clamp(0.0, (LEVELS - 1) as f64);
+        let k = (level as usize).min(LEVELS - 2);
+        let share = level - k as f64;
+        let (low, high) = (&self.cubics[k][i], &self.cubics[k + 1][i]);
+        let [a, b, c, d]: [f64; 4] = std::array::from_fn(|j| low[j] + share * (high[j] - low[j]));
+        let slope = b + x * (2.0 * c + x * 3.0 * d);
+        [a + x * (b + x * (c + x * d)) + slope * beyond, slope]
+    }
+}
+
+#[cfg(test)]
+mod tests;
