@@ -24,8 +24,8 @@ const ITERATIONS: usize = 60;
 /// Residual over the weight at which the iteration ends, and the largest that is accepted where rounding stops it.
 const SETTLED: f64 = 1e-11;
 const ROUNDED: f64 = 1e-7;
-/// The same of a foot that is followed in time, and how fast it has to fall in an iteration.
-const FOLLOWED: f64 = 1e-6;
+/// The same of a foot that is followed in time, before its last step, and how fast it has to fall in an iteration: a tenth of it is left then.
+const FOLLOWED: f64 = 3e-5;
 const FASTEST: f64 = 0.1;
 /// Smallest part of a Newton step: the work of strips and wall is convex, so that some part reduces the residual.
 const SHORTEST: f64 = 1e-3;

@@ -15,6 +15,7 @@ use crate::error::BaseError;
 use crate::foot::{Foot, places};
 use crate::warp::{WAVES, Warping};
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
 const PANELS: usize = 24;
@@ -22,6 +23,9 @@ const PANELS: usize = 24;
 const WARPED: usize = 48;
 /// Places between the lifted side and the toe at which a foot that warps is seen to be off the ground.
 const SEEN: usize = 180;
+
+/// Cosines of their angles.
+static COSINES: OnceLock<[f64; SEEN + 1]> = OnceLock::new();
 
 /// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
 const FIRST: f64 = 2e-5;
@@ -74,8 +78,8 @@ impl Turn {
 
     /// w at even places from the lifted side to the toe.
     pub(crate) fn around(&self, radius: f64) -> [f64; SEEN + 1] {
-        std::array::from_fn(|i| {
-            let cos = (PI * i as f64 / SEEN as f64).cos();
+        let cosines = COSINES.get_or_init(|| std::array::from_fn(|i| (PI * i as f64 / SEEN as f64).cos()));
+        cosines.map(|cos| {
             let (mut before, mut last) = (1.0, cos);
             let mut w = self.centre + self.rotation * radius * cos;
             for wave in &self.waves {

@@ -10,7 +10,7 @@
 //!
 //! The waves move by central differences: their shortest period is a hundred and more steps long. The foot is in equilibrium at each end of a step.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use crate::error::BaseError;
@@ -20,9 +20,7 @@ use crate::rocking::Rocking;
 use crate::warp::{Top, WAVES, Wall, Warping};
 
 /// Panels of three Gauss points from the lifted side to the toe: half of those of M(ψ), which changes the moment by less than 0.1 %.
-const PANELS: usize = 24;
-/// Even parts of the range of uplifts in which the search of a place begins.
-const BINS: usize = 1024;
+const PANELS: usize = 16;
 /// Pressures on the plate of the table, over the range of the curves; straight lines between them.
 const LEVELS: usize = 9;
 
@@ -46,8 +44,9 @@ pub(crate) struct Ovals {
     place: [f64; WAVES],
     velocity: [f64; WAVES],
     acceleration: [f64; WAVES],
-    /// The foot, as last found.
+    /// The foot, as last found, and where that was: rotation [rad] and bottom pressure [Pa], with the answer.
     foot: RefCell<Standing>,
+    answered: Cell<Option<((f64, f64), Response)>>,
     places: Rc<[Place]>,
 }
 
@@ -72,6 +71,11 @@ impl Waves {
         Ok((round, Some(waves)))
     }
 
+    /// Moment that lifts a rim which the plate does not hold, π R² w_t [N m].
+    pub(crate) fn lifting(&self) -> f64 {
+        std::f64::consts::PI * self.radius * self.radius * self.weight
+    }
+
     pub(crate) fn at_rest(&self) -> Ovals {
         let still = [0.0; WAVES];
         let (place, velocity, acceleration) = (still, still, still);
@@ -80,12 +84,14 @@ impl Waves {
             velocity,
             acceleration,
             foot: RefCell::new(Standing::upright(self.rest)),
+            answered: Cell::new(None),
             places: places(PANELS),
         }
     }
 
     /// Moves the waves to the end of a step [s].
     pub(crate) fn begin(&self, ovals: &mut Ovals, step: f64) {
+        ovals.answered.set(None);
         for n in 0..WAVES {
             ovals.place[n] += step * (ovals.velocity[n] + 0.5 * step * ovals.acceleration[n]);
         }
@@ -95,16 +101,22 @@ impl Waves {
     ///
     /// Errors: no equilibrium.
     pub(crate) fn response(&self, ovals: &Ovals, (psi, suction): (f64, f64)) -> Result<Response, BaseError> {
+        if let Some((_, answer)) = ovals.answered.get().filter(|(place, _)| *place == (psi, suction)) {
+            return Ok(answer);
+        }
         let (mut stiffness, mut load) = ([[0.0; WAVES]; WAVES], [0.0; WAVES]);
         for n in 0..WAVES {
             stiffness[n][n] = 1.0 / self.warping.membrane(n);
             load[n] = ovals.place[n] / self.warping.membrane(n);
         }
-        let hold = |uplift: f64, cos: f64| self.strips.hold(uplift, suction * cos);
+        let near = Cell::new(0);
+        let hold = |uplift: f64, cos: f64| self.strips.hold(&near, uplift, suction * cos);
         let wall = Wall { stiffness, load };
         let foot =
             Foot { radius: self.radius, weight: self.weight, wall, places: Rc::clone(&ovals.places), hold: &hold };
-        foot.follow(psi, &mut ovals.foot.borrow_mut())
+        let answer = foot.follow(psi, &mut ovals.foot.borrow_mut())?;
+        ovals.answered.set(Some(((psi, suction), answer)));
+        Ok(answer)
     }
 
     /// Ends a step [s] with the foot where [`Waves::response`] found it last, under a bottom pressure [Pa].
@@ -134,10 +146,6 @@ impl Ovals {
 #[derive(Clone, Debug)]
 struct Strips {
     uplifts: Vec<f64>,
-    /// First place that is not below each of [`BINS`] even shares of the range of uplifts.
-    bins: Vec<usize>,
-    /// Bins per metre.
-    fine: f64,
     /// Suctions of the first level and between two levels [Pa].
     first: f64,
     apart: f64,
@@ -159,22 +167,21 @@ impl Strips {
             };
             uplifts.windows(2).map(between).collect()
         };
-        let (from, fine) = (uplifts[0], BINS as f64 / (uplifts[uplifts.len() - 1] - uplifts[0]));
-        let bin = |i: usize| uplifts.partition_point(|w| *w < from + i as f64 / fine);
-        let bins = (0..=BINS).map(bin).collect();
-        Strips { bins, fine, first: low, apart, cubics: (0..LEVELS).map(level).collect(), uplifts }
+        Strips { first: low, apart, cubics: (0..LEVELS).map(level).collect(), uplifts }
     }
 
     /// F and dF/dw; straight on beyond the uplifts.
-    fn hold(&self, uplift: f64, suction: f64) -> [f64; 2] {
-        let last = self.uplifts.len() - 1;
-        let bin = ((uplift - self.uplifts[0]) * self.fine).clamp(0.0, BINS as f64) as usize;
-        // Rounding may put the bin beyond the uplift.
-        let mut i = self.bins[bin.saturating_sub(1)].max(1);
-        while i < last && self.uplifts[i] < uplift {
+    ///
+    /// * `near`: an interval of uplifts close to that one, which it becomes
+    fn hold(&self, near: &Cell<usize>, uplift: f64, suction: f64) -> [f64; 2] {
+        let mut i = near.get();
+        while i > 0 && uplift < self.uplifts[i] {
+            i -= 1;
+        }
+        while i + 2 < self.uplifts.len() && uplift > self.uplifts[i + 1] {
             i += 1;
         }
-        i -= 1;
+        near.set(i);
         let x = uplift.clamp(self.uplifts[i], self.uplifts[i + 1]) - self.uplifts[i];
         let beyond = uplift - self.uplifts[i] - x;
         let level = ((suction - self.first) / self.apart).clamp(0.0, (LEVELS - 1) as f64);

@@ -82,7 +82,7 @@ pub struct FreeBase {
     pub scatters: bool,
     /// Whether the pressure of the motion on the bottom exceeds that up to which strips of it hold.
     pub softened: bool,
-    /// Whether its foot lifts and warps under a rim that is not round, with waves that have no inertia.
+    /// Whether its foot lifts and warps under a rim that is not round, with waves that follow at once.
     pub warps: bool,
     /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
     pub joint: Option<Peak>,

@@ -6,7 +6,7 @@ use super::law::{closed as closed_ground, laws};
 use super::peaks::{Peaks, turns};
 use super::setup::{Laws, Missed, Setup, between};
 use ::base::history::{Friction, History, March, Run, march};
-use ::base::{Base, BaseError, Law};
+use ::base::{Base, BaseError, Law, Waves};
 use results::BaseSpread;
 
 /// Largest rotation of the first law [rad].
@@ -62,7 +62,7 @@ pub(super) fn turned(rotation: &[f64]) -> f64 {
     rotation.iter().fold(0.0, |m, psi| f64::max(m, psi.abs()))
 }
 
-/// A run on a law, with a hysteretic share and a dashpot.
+/// A run on a law, with a hysteretic share and a dashpot; its rim ovals in time where it is not round.
 fn given<'a>(setup: &'a Setup, laws: &'a Laws, (hysteretic, dashpot): (f64, f64)) -> Run<'a> {
     Run {
         body: &setup.body,
@@ -80,13 +80,15 @@ fn given<'a>(setup: &'a Setup, laws: &'a Laws, (hysteretic, dashpot): (f64, f64)
 }
 
 /// That run over the steps that search; it can go on to the end of free vibration.
+///
+/// * `rim`: what ovals in time; none leaves the rim round, which takes a fiftieth of the time
 pub(super) fn searched<'a>(
     setup: &'a Setup,
     laws: &'a Laws,
-    hysteretic: f64,
-    dashpot: f64,
+    damping: (f64, f64),
+    rim: Option<&'a Waves>,
 ) -> Result<March<'a>, BaseError> {
-    let mut march = March::new(given(setup, laws, (hysteretic, dashpot)));
+    let mut march = March::new(Run { waves: rim, ..given(setup, laws, damping) });
     march.to(setup.searched)?;
     Ok(march)
 }
@@ -130,19 +132,46 @@ struct Round<'a> {
 }
 
 /// The run whose share is that of its largest rotation; the last one where it turns beyond the law, that with the smaller share where the largest
-/// rotation jumps between two shares.
-fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -> Result<Round<'a>, BaseError> {
+/// rotation jumps between two shares. Under a rim that ovals in time it starts at the share under a round one, and stays there unless it is to be `exact`.
+fn consistent<'a>(
+    setup: &'a Setup,
+    base: &Base,
+    laws: &'a Laws,
+    dashpot: f64,
+    exact: bool,
+) -> Result<Round<'a>, BaseError> {
+    let first = laws.law.share(base, laws.losses(base)?, 0.5 * laws.law.largest());
+    let round = settled(setup, base, laws, ((first, dashpot), ROUNDS), None)?;
+    match &laws.waves {
+        Some(waves) => {
+            settled(setup, base, laws, ((round.share, dashpot), if exact { ROUNDS } else { 0 }), Some(waves))
+        }
+        None => Ok(round),
+    }
+}
+
+/// That run from a first share on, after so many rounds at most.
+fn settled<'a>(
+    setup: &'a Setup,
+    base: &Base,
+    laws: &'a Laws,
+    ((first, dashpot), rounds): ((f64, f64), usize),
+    rim: Option<&'a Waves>,
+) -> Result<Round<'a>, BaseError> {
     let law = &laws.law;
     let losses = laws.losses(base)?;
     let run = |share: f64| -> Result<Round<'a>, BaseError> {
-        let march = searched(setup, laws, share, dashpot)?;
+        let march = searched(setup, laws, (share, dashpot), rim)?;
         let peak = turned(march.rotation());
         Ok(Round { off: law.share(base, losses, peak) - share, share, march, peak })
     };
-    let mut round = run(law.share(base, losses, 0.5 * law.largest()))?;
+    let mut round = run(first)?;
+    if rounds == 0 {
+        return Ok(round);
+    }
     // Shares that are too small and too large.
     let (mut low, mut high): (Option<Round<'_>>, Option<Round<'_>>) = (None, None);
-    for i in 0..ROUNDS {
+    for i in 0..rounds {
         if round.peak > law.largest() || round.off.abs() <= SETTLED {
             return Ok(round);
         }
@@ -165,7 +194,7 @@ fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -
     // Which of the two is left does not matter where only one side was found.
     match low.or(high) {
         Some(found) => Ok(found),
-        None => run(0.0),
+        None => run(first),
     }
 }
 
@@ -177,7 +206,7 @@ fn consistent<'a>(setup: &'a Setup, base: &Base, laws: &'a Laws, dashpot: f64) -
 pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, BaseError> {
     let law = &laws.law;
     let dashpot = closed_ground(setup, base, law);
-    let run = |share: f64| searched(setup, laws, share, dashpot).map(|march| turned(march.rotation()));
+    let run = |share: f64| searched(setup, laws, (share, dashpot), None).map(|march| turned(march.rotation()));
     let elastic = || if base.yields() { run(0.0) } else { Ok(0.0) };
     let (widest, elastic) = rayon::join(|| run(1.0), elastic);
     let (widest, elastic) = (widest?, elastic?);
@@ -236,7 +265,7 @@ fn covered(setup: &Setup, base: &Base, (reach, known): (f64, Option<Arc<Laws>>),
     loop {
         let largest = found.law.largest();
         let dashpot = closed_ground(setup, base, &found.law);
-        let Round { share: hysteretic, mut march, mut peak, off } = consistent(setup, base, &found, dashpot)?;
+        let Round { share: hysteretic, mut march, mut peak, off } = consistent(setup, base, &found, dashpot, whole)?;
         if whole && peak <= largest {
             march.to(setup.ground.len())?;
             peak = turned(march.rotation());

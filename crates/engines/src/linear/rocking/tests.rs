@@ -109,7 +109,7 @@ fn the_body_is_that_of_the_engine() {
     let pressure = analysis.line(OnWall::Pressure).unwrap().peak(0);
     // A fixed body records no pressure; that of a base hard as diamond does.
     let stiff = ready_law(&ready, 1e12);
-    let turned = search::searched(&setup, &stiff, 0.0, 0.0).unwrap().history();
+    let turned = search::searched(&setup, &stiff, (0.0, 0.0), None).unwrap().history();
     assert!((peak(&turned.pressure) / pressure - 1.0).abs() < 1e-2, "{} {pressure}", peak(&turned.pressure));
 }
 
@@ -126,7 +126,7 @@ fn a_heavy_wall_moves_as_the_one_held_down() {
     let ready = ready(oil(2e6, 1e13, 0.1));
     let (setup, analysis) = (ready.setup(40), ready.analysis());
     let law = law::law(&ready.setup(1), &Base::of(&ready.case).unwrap(), 1e-4).unwrap();
-    let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
+    let history = search::searched(&setup, &law, (0.0, 0.0), None).unwrap().history();
     for (channel, found) in [(Channel::BaseShear, peak(&history.shear)), (Channel::BaseMoment, peak(&history.moment))] {
         let expected = analysis.sides(channel).unwrap().0.peak().0;
         assert!((found / expected - 1.0).abs() < 5e-3, "{channel:?}: {found} {expected}");
@@ -160,7 +160,7 @@ fn the_side_towards_the_acceleration_lifts() {
     let rise = |i: usize| 3.0 * (i as f64 * setup.step).min(1.0);
     setup.ground = (0..1000).map(rise).collect();
     let law = ready_law(&ready, 1e8);
-    let history = search::searched(&setup, &law, 0.0, 0.0).unwrap().history();
+    let history = search::searched(&setup, &law, (0.0, 0.0), None).unwrap().history();
     assert!(history.rotation[999] < 0.0 && history.pressure[999] < 0.0);
     let turn = law.law.turn(history.rotation[999], history.pressure[999]);
     let base = Base::of(&ready.case).unwrap();
@@ -217,7 +217,10 @@ fn energy_closes_and_the_step_does_not_matter() {
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
-    let half = search::searched(&ready.setup(20), &found.laws, found.hysteretic, found.dashpot).unwrap().history();
+    let half =
+        search::searched(&ready.setup(20), &found.laws, (found.hysteretic, found.dashpot), found.laws.waves.as_ref())
+            .unwrap()
+            .history();
     for (coarse, fine) in [
         (peak(&found.history.rotation), peak(&half.rotation)),
         (peak(&found.history.shear), peak(&half.shear)),
