@@ -73,6 +73,10 @@ pub trait Procedure: Sync {
     fn decides(&self, _site: &Site) -> bool {
         false
     }
+    /// Whether it runs on this site where the tank file does not name it: a procedure that few tanks ask for does not.
+    fn unasked(&self, _site: &Site) -> bool {
+        true
+    }
     /// The limit states that the code knows, in the order of its checks.
     fn table(&self) -> &'static [LimitStateDef] {
         &[]

@@ -26,6 +26,9 @@ use tank::units::Dimension;
 
 pub use tank::formula::{Term, number, with_unit};
 
+/// End of a clause that is recalled: no source was compared with it.
+pub const RECALLED: &str = ", recalled";
+
 thread_local! {
     /// Whether the sheets of this thread keep their lines.
     static LINES: Cell<bool> = const { Cell::new(true) };
@@ -48,6 +51,8 @@ pub struct Sheet {
     known: Vec<(String, f64, Dimension)>,
     /// The first formula that could not be evaluated.
     fault: Option<FormulaError>,
+    /// Clauses that are recalled, each once.
+    recalled: Vec<String>,
 }
 
 impl Sheet {
@@ -114,11 +119,21 @@ impl Sheet {
         line: impl FnOnce() -> Step,
     ) -> f64 {
         self.given(&[(symbol, value, dimension)]);
+        if let Some(recalled) = clause.strip_suffix(RECALLED)
+            && self.recalled.iter().all(|known| known != recalled)
+        {
+            self.recalled.push(recalled.into());
+        }
         if LINES.get() {
             let (symbol, name, clause, section) = (symbol.into(), name.into(), clause.into(), self.section.clone());
             self.steps.push(Step { section, symbol, name, value, dimension, clause, ..line() });
         }
         value
+    }
+
+    /// Clauses of the lines that are recalled, each once: printed as such, they count as such.
+    pub fn recalled(&self) -> &[String] {
+        &self.recalled
     }
 
     /// The lines.
@@ -169,6 +184,20 @@ mod tests {
         assert!(none.unwrap().is_empty());
         assert!(without_lines(|| compute("a·d")).1.is_err());
         assert_eq!(compute("a·b").1.unwrap().len(), 3);
+    }
+
+    /// A line printed as recalled counts as recalled, once, also where no lines are kept.
+    #[test]
+    fn recalled_lines_are_known() {
+        let compute = || {
+            let mut sheet = Sheet::new();
+            sheet.input("R", "", 2.0, Dimension::Dimensionless, "code 4.1, recalled");
+            sheet.look_up("I", "", "table", 1.0, Dimension::Dimensionless, "code 4.1, recalled");
+            sheet.calc("A", "", "I/R", Dimension::Dimensionless, "code 4.2");
+            sheet.recalled().to_vec()
+        };
+        assert_eq!(compute(), ["code 4.1"]);
+        assert_eq!(without_lines(compute), ["code 4.1"]);
     }
 
     /// The last line that gives a symbol counts, and a given value like a line.

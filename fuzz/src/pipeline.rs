@@ -92,7 +92,9 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     let horizontal = process(quake, &file.record).map_err(|e| refused(&e)).ok()?;
     let mut case = file.case;
     case.ground_motion = Some(GroundMotion { horizontal, transverse: None, vertical: None });
-    let procedures = pipeline::procedures::select_procedures(&file.procedures).map_err(|e| refused(&e)).ok()?;
+    let procedures = pipeline::procedures::select_procedures(&file.procedures, &file.decision.decide, &case.site)
+        .map_err(|e| refused(&e))
+        .ok()?;
     let mut fe = file.fe;
     fe.refine = 0.25;
     fe.mesh_error = false;

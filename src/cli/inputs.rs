@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::input::records::{AccelerationUnit, Columns};
 use crate::input::{self, TankFile, records};
 use crate::job::{self, Job};
+use crate::pipeline::procedures::select_procedures;
 use engines::Task;
 use engines::nonlinear::NonlinearOptions;
 use files::code::Code;
@@ -89,8 +90,8 @@ impl Inputs {
                 paths.len()
             )));
         }
-        let selected =
-            crate::pipeline::procedures::select_procedures(self.procedures.as_ref().unwrap_or(&tank.procedures))?;
+        let named = self.procedures.as_ref().unwrap_or(&tank.procedures);
+        let selected = select_procedures(named, &tank.decision.decide, &tank.case.site)?;
         let decision = self.decision(tank.decision.clone(), &selected)?;
         let given = tank.record;
         let file = source("tank", &self.tank, &tank.sha256);

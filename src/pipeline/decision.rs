@@ -21,10 +21,12 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
     let decides = |id: &str, excitation: Excitation| {
         computed(id, excitation).then(|| Deciding { method: id.to_owned(), excitation })
     };
+    // What rests on a recalled clause decides only where the user names it.
+    let compared = |id: &str| methods.iter().filter(|m| m.id == id).all(|m| m.recalled.is_empty());
     match job.decision.decide.as_slice() {
         [] => codes::ALL
             .iter()
-            .filter(|procedure| procedure.decides(&job.case.site))
+            .filter(|procedure| procedure.decides(&job.case.site) && compared(procedure.id()))
             .filter_map(|procedure| decides(procedure.id(), Excitation::Site))
             .collect(),
         // Without a design spectrum a named method decides under the record; one that did not run decides all the same.

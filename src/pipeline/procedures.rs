@@ -14,6 +14,7 @@ use codes::sheet::without_lines;
 use results::{Method, Status, Verdict, finite};
 use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
+use tank::case::Site;
 use tank::ingredients::Ingredients;
 use tank::large_wave::LargeWave;
 use tank::units::{Dimension, display};
@@ -21,16 +22,23 @@ use tank::units::{Dimension, display};
 /// A procedure's column, and what its quantities are made of.
 pub(super) type Assessed = (Method, Vec<Ingredients>);
 
-/// Ids of the procedures to run, in report order; an empty list means all.
+/// Ids of the procedures to run, in report order.
+///
+/// * `ids`: named to run; none means those that run unasked on the site, and those of `decide`
 ///
 /// Errors: an unknown id, with the known ones.
-pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
+pub fn select_procedures(ids: &[String], decide: &[String], site: &Site) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
         let text = format!("procedures: found `{unknown}`, expected any of {}", known.join(", "));
         return Err(Error::input(Code::UnknownId, text));
     }
-    Ok(known.iter().filter(|id| ids.is_empty() || ids.iter().any(|i| i == *id)).map(|id| id.to_string()).collect())
+    let named = |list: &[String], id: &str| list.iter().any(|named| named == id);
+    let runs = |p: &&&dyn Procedure| match ids {
+        [] => p.unasked(site) || named(decide, p.id()),
+        ids => named(ids, p.id()),
+    };
+    Ok(codes::ALL.iter().filter(runs).map(|p| p.id().to_owned()).collect())
 }
 
 /// The code procedures and their verdict, without engines, spectra and comparison.
@@ -126,6 +134,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         notes,
         beyond_scope: assessment.beyond_scope,
         hold_down: assessment.hold_down,
+        recalled: assessment.recalled,
         ..Method::new(procedure.id(), label.title, excitation)
     };
     Ok((method, ingredients))

@@ -159,7 +159,7 @@ pub fn longest(site: &Site) -> f64 {
 /// Errors: a tank without a procedure that gives one.
 pub fn periods(case: &Case, decision: &Decision) -> Result<Vec<Wanted>, Error> {
     let still = Case { ground_motion: None, ..case.clone() };
-    let job = Job::of_case(still, select_procedures(&[])?, decision.clone());
+    let job = Job::of_case(still, select_procedures(&[], &decision.decide, &case.site)?, decision.clone());
     let (methods, verdict) = decide(&job)?;
     let decides = |m: &&Column| verdict.deciding.iter().any(|d| d.method == m.id && d.excitation == m.excitation);
     let in_force = |m: &&Column| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&case.site));

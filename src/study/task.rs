@@ -236,7 +236,7 @@ impl Unit<'_> {
     /// The job of a tank without a record.
     fn job(&self, tank: &TankFile) -> Result<Job, Error> {
         let named = self.study.procedures.clone().unwrap_or_else(|| tank.procedures.clone());
-        let procedures = pipeline::procedures::select_procedures(&named)?;
+        let procedures = pipeline::procedures::select_procedures(&named, &tank.decision.decide, &tank.case.site)?;
         // A procedure that decides in the tank file and does not run here decides nothing.
         let runs = |id: &String| !codes::ALL.iter().any(|p| p.id() == id) || procedures.contains(id);
         let decision = Decision {

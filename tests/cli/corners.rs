@@ -114,11 +114,8 @@ fn job(text: &str) -> Option<Job> {
         acceleration: (0..20).map(|k| (0.7 * f64::from(k)).sin()).collect(),
         processing: Vec::new(),
     };
-    let mut job = Job {
-        engines: vec![EngineId::Harmonic],
-        raw_records: vec![record.clone()],
-        ..Job::of(tank, tankcheck::pipeline::procedures::select_procedures(&[]).expect("all"))
-    };
+    let all = tankcheck::pipeline::procedures::select_procedures(&[], &[], &tank.case.site).expect("all");
+    let mut job = Job { engines: vec![EngineId::Harmonic], raw_records: vec![record.clone()], ..Job::of(tank, all) };
     job.case.ground_motion = Some(GroundMotion { horizontal: record, transverse: None, vertical: None });
     Some(job)
 }

@@ -199,11 +199,8 @@ fn job(example: &str, vertical: bool) -> Job {
         acceleration: (0..200).map(|k| 3.5 * (0.11 * f64::from(k)).sin() + 2.0 * (0.43 * f64::from(k)).cos()).collect(),
         processing: Vec::new(),
     };
-    let mut job = Job {
-        engines: vec![EngineId::Harmonic],
-        raw_records: vec![record.clone(); 2],
-        ..Job::of(tank, pipeline::procedures::select_procedures(&[]).unwrap())
-    };
+    let all = pipeline::procedures::select_procedures(&[], &[], &tank.case.site).unwrap();
+    let mut job = Job { engines: vec![EngineId::Harmonic], raw_records: vec![record.clone(); 2], ..Job::of(tank, all) };
     job.case.ground_motion =
         Some(GroundMotion { horizontal: record.clone(), transverse: None, vertical: vertical.then_some(record) });
     job

@@ -114,8 +114,9 @@ impl Tank {
         let path = home.join("tank.json");
         std::fs::write(&path, self.json()).expect("writable");
         let tank = read_tank(&path).map_err(|error| error.to_string())?;
-        let procedures =
-            tankcheck::pipeline::procedures::select_procedures(&tank.procedures).map_err(|error| error.to_string())?;
+        let (decide, site) = (&tank.decision.decide, &tank.case.site);
+        let procedures = tankcheck::pipeline::procedures::select_procedures(&tank.procedures, decide, site)
+            .map_err(|error| error.to_string())?;
         let mut job = Job { engines: self.engines.to_vec(), ..Job::of(tank, procedures) };
         if self.record {
             let (samples, shape) = self.motion;

@@ -205,6 +205,7 @@ impl Method {
             notes: Vec::new(),
             beyond_scope: None,
             hold_down: None,
+            recalled: Vec::new(),
         }
     }
 
@@ -383,6 +384,9 @@ pub struct Method {
     /// Weight that holds an unanchored wall down, as the sheet takes it [N/m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hold_down: Option<f64>,
+    /// Clauses on which its values rest and that no source was compared with: such a method decides only where the user names it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub recalled: Vec<String>,
 }
 
 /// Quantities × methods.

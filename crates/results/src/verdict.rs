@@ -159,6 +159,9 @@ pub struct Verdict {
     /// Codes that the site names and of which a check fails, where `procedures.decide` names others.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub overruled: Vec<Overruled>,
+    /// Deciding methods whose values rest on clauses that are recalled and not compared with a source.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub recalled: Vec<String>,
     /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
     /// those of a part of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -217,6 +220,7 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
         record: (of_record.compared() > 0).then_some(Aside { counts: of_record, governing: worst }),
         unstated: Vec::new(),
         overruled: Vec::new(),
+        recalled: methods.iter().filter(|m| decides(m) && !m.recalled.is_empty()).map(|m| m.id.clone()).collect(),
         deciding,
         unfinished,
         cause,
@@ -251,6 +255,20 @@ mod tests {
     use tank::units::Dimension;
 
     use super::*;
+
+    /// A deciding method that rests on recalled clauses is named; one beside it that does not, or does not decide, is not.
+    #[test]
+    fn recalled_clauses_are_told() {
+        let method = |id: &str, recalled: &[&str]| Method {
+            checks: vec![check("freeboard", 0.5)],
+            recalled: recalled.iter().map(|clause| (*clause).to_owned()).collect(),
+            ..Method::new(id, id, Excitation::Site)
+        };
+        let methods = [method("a", &["table 2"]), method("b", &[]), method("c", &["table 1"])];
+        let deciding = ["a", "b"].map(|id| Deciding { method: id.into(), excitation: Excitation::Site });
+        let found = verdict(&methods, deciding.to_vec(), false, None);
+        assert_eq!((found.recalled, found.status), (vec!["a".to_owned()], VerdictStatus::Holds));
+    }
 
     fn check(id: &str, utilisation: f64) -> Check {
         Check::new(id, id, utilisation, 1.0, Dimension::Force, "", "")

@@ -152,6 +152,9 @@ pub struct Assessment {
     /// Weight that holds an unanchored wall down, as the sheet takes it [N/m].
     #[serde(skip)]
     pub hold_down: Option<f64>,
+    /// Clauses on which values rest and that no source was compared with.
+    #[serde(skip)]
+    pub recalled: Vec<String>,
 }
 
 /// Reason why a procedure does not apply.

@@ -12,8 +12,17 @@ pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and clos
                                  exaggerates the impact, and a liquid separates from a tight wall near -98 kPa, not at atmospheric \
                                  pressure: forces and stresses after the first separation are not design values.";
 
-/// The verdict in one line.
+/// The verdict in one line, with the deciding methods that rest on recalled clauses.
 pub fn headline(verdict: &Verdict) -> String {
+    let outcome = outcome(verdict);
+    match verdict.recalled.as_slice() {
+        [] => outcome,
+        methods => format!("{outcome}; on clauses recalled, not compared with the code: {}", methods.join(", ")),
+    }
+}
+
+/// What the checks amount to.
+fn outcome(verdict: &Verdict) -> String {
     if verdict.unfinished {
         return verdict.cause.as_ref().map_or_else(
             || "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
