@@ -63,6 +63,10 @@ impl Run<'_> {
         let s_ac = self.ordinate(own, "S_a(T_c)", t_c);
         let soft = own.mapped.is_some() && matches!(site.site_class, SiteClass::E | SiteClass::F);
         let sheet = &mut self.sheet;
+        if soft {
+            let name = "mapped acceleration at one second [g]";
+            sheet.input("S_1", name, site.s1, Dimensionless, "site.api650.s1");
+        }
         sheet.given(&[("S_02", s_02, Dimensionless), ("S_max", s_max, Dimensionless), ("S_ac", s_ac, Dimensionless)]);
         let mut line = |symbol: &'static str, name: &str, formula: &str, clause: &str| {
             sheet.calc(symbol, name, formula, Dimensionless, clause)
