@@ -70,7 +70,7 @@ mod tables;
 mod tabulated;
 pub mod uplift;
 pub mod vertical;
-mod wall_bending;
+pub(crate) mod wall_bending;
 mod walls;
 mod work;
 

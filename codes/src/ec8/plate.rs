@@ -47,32 +47,20 @@ pub fn deflection(courses: &[Course], sides: Sides, load: f64, loaded: f64, at: 
     let points = gauss();
     let across: Vec<Vec<[f64; 3]>> =
         points.iter().map(|(x, _)| (0..columns).map(|i| horizontal(sides, i, *x, half_width)).collect()).collect();
+    let mut last: Option<(Element, Piece)> = None;
     for (e, element) in elements.iter().enumerate() {
+        let known = last.take().filter(|(known, _)| known.is_like(element));
+        let (_, piece) = last.insert(known.unwrap_or_else(|| (*element, Piece::new(element, &across, half_width))));
         let q = if element.base < loaded { load } else { 0.0 };
-        let Element { length, rigidity, nu, .. } = *element;
-        for (t, weight_z) in &points {
-            let along = hermite(*t, length);
-            for (functions, (_, weight_x)) in across.iter().zip(&points) {
-                let weight = weight_z * length * weight_x * half_width;
-                // Row, w, w_xx, w_zz, w_xz of each unknown that is not held.
-                let mut b = Vec::with_capacity(4 * columns);
-                for (j, [g, dg, ddg]) in along.iter().enumerate() {
-                    for (i, [f, df, ddf]) in functions.iter().enumerate() {
-                        if let Some(row) = (2 * e + j).checked_sub(2) {
-                            b.push((row * columns + i, [f * g, ddf * g, f * ddg, df * dg]));
-                        }
-                    }
-                }
-                for (row, p) in &b {
-                    force[*row] += weight * q * p[0];
-                    for (column, r) in &b {
-                        stiffness[*row][*column] += weight
-                            * rigidity
-                            * (p[1] * r[1]
-                                + p[2] * r[2]
-                                + nu * (p[1] * r[2] + p[2] * r[1])
-                                + 2.0 * (1.0 - nu) * p[3] * r[3]);
-                    }
+        // The deflection and slope of the first node are held.
+        let held = 2 * columns;
+        let first = 2 * e * columns;
+        for (row, line) in piece.stiffness.iter().enumerate() {
+            let Some(i) = (first + row).checked_sub(held) else { continue };
+            force[i] += q * piece.load[row];
+            for (column, value) in line.iter().enumerate() {
+                if let Some(j) = (first + column).checked_sub(held) {
+                    stiffness[i][j] += value;
                 }
             }
         }
@@ -84,6 +72,48 @@ pub fn deflection(courses: &[Course], sides: Sides, load: f64, loaded: f64, at: 
         .position(|e| at <= (e.base + e.length) * (1.0 + 1e-12))
         .or(elements.len().checked_sub(1))
         .map_or(0.0, |e| force[2 * e * columns])
+}
+
+/// Stiffness and forces under a unit load of one element, deflection and slope of its nodes for each X.
+struct Piece {
+    stiffness: Vec<Vec<f64>>,
+    load: Vec<f64>,
+}
+
+impl Piece {
+    /// * `across`: value, first and second derivative of each X at the points of Gauss
+    fn new(element: &Element, across: &[Vec<[f64; 3]>], half_width: f64) -> Piece {
+        let points = gauss();
+        let columns = across.first().map_or(0, Vec::len);
+        let n = 4 * columns;
+        let mut piece = Piece { stiffness: vec![vec![0.0; n]; n], load: vec![0.0; n] };
+        let Element { length, rigidity, nu, .. } = *element;
+        // w, w_xx, w_zz, w_xz of each unknown.
+        let mut b = vec![[0.0; 4]; n];
+        for (t, weight_z) in &points {
+            let along = hermite(*t, length);
+            for (functions, (_, weight_x)) in across.iter().zip(&points) {
+                let weight = weight_z * length * weight_x * half_width;
+                for (j, [g, dg, ddg]) in along.iter().enumerate() {
+                    for (i, [f, df, ddf]) in functions.iter().enumerate() {
+                        b[j * columns + i] = [f * g, ddf * g, f * ddg, df * dg];
+                    }
+                }
+                for ((line, load), p) in piece.stiffness.iter_mut().zip(&mut piece.load).zip(&b) {
+                    *load += weight * p[0];
+                    for (value, r) in line.iter_mut().zip(&b) {
+                        *value += weight
+                            * rigidity
+                            * (p[1] * r[1]
+                                + p[2] * r[2]
+                                + nu * (p[1] * r[2] + p[2] * r[1])
+                                + 2.0 * (1.0 - nu) * p[3] * r[3]);
+                    }
+                }
+            }
+        }
+        piece
+    }
 }
 
 /// A piece of the wall of constant rigidity.
@@ -99,6 +129,14 @@ pub(super) struct Element {
     pub nu: f64,
     /// E s [N/m].
     pub membrane: f64,
+}
+
+impl Element {
+    /// Whether another element has the same stiffness: all of one course are alike.
+    pub(super) fn is_like(&self, other: &Element) -> bool {
+        let of = |e: &Element| [e.length, e.rigidity, e.nu, e.membrane].map(f64::to_bits);
+        of(self) == of(other)
+    }
 }
 
 /// Elements from the base up, `least` over the height or more; every joint and every one of `breaks` that lies on the wall is an end.

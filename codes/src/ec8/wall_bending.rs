@@ -24,7 +24,7 @@ use tank::{Course, WallBase};
 
 /// Plan of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Plan {
+pub(crate) enum Plan {
     /// Wall of a box between walls to which it is clamped, width 2B [m].
     Box {
         /// Half width B [m].
@@ -50,7 +50,7 @@ const ACROSS_DISTURBANCE: f64 = 12.0;
 
 /// A wall, factored.
 #[derive(Clone, Debug)]
-pub(super) struct Wall {
+pub(crate) struct Wall {
     plan: Plan,
     functions: usize,
     elements: Vec<Element>,
@@ -60,11 +60,13 @@ pub(super) struct Wall {
     integrals: [Vec<Vec<f64>>; 4],
     /// ∫ X_i over the width.
     loads: Vec<f64>,
+    /// Stiffness of the first element, for the reactions of the base.
+    first: Vec<Vec<f64>>,
 }
 
 /// Its state under one load.
 #[derive(Clone, Debug)]
-pub(super) struct State<'a> {
+pub(crate) struct State<'a> {
     wall: &'a Wall,
     /// Deflection and slope of each node from the base up, for each X.
     unknowns: Vec<f64>,
@@ -74,7 +76,7 @@ pub(super) struct State<'a> {
 
 /// Moments per length [N·m/m] and deflection [m] at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Forces {
+pub(crate) struct Forces {
     pub m_x: f64,
     pub m_z: f64,
     pub m_xz: f64,
@@ -84,7 +86,7 @@ pub(super) struct Forces {
 }
 
 impl Wall {
-    pub(super) fn new(courses: &[Course], plan: Plan) -> Wall {
+    pub(crate) fn new(courses: &[Course], plan: Plan) -> Wall {
         let height: f64 = courses.iter().map(|c| c.height).sum();
         let thinnest = courses.iter().map(|c| c.thickness).fold(f64::INFINITY, f64::min);
         let least = match plan {
@@ -107,8 +109,10 @@ impl Wall {
             factor: Vec::new(),
             integrals: std::array::from_fn(|_| vec![vec![0.0; functions]; functions]),
             loads: vec![0.0; functions],
+            first: Vec::new(),
         };
         wall.integrate_across();
+        wall.first = wall.stiffness(&wall.elements[0]);
         wall.factor = wall.factored();
         wall
     }
@@ -196,9 +200,12 @@ impl Wall {
         let n = 2 * self.functions * (self.elements.len() + 1) - held;
         let width = 4 * self.functions - 1;
         let mut band = vec![vec![0.0; width + 1]; n];
+        let mut last: Option<(Element, Vec<Vec<f64>>)> = None;
         for (e, element) in self.elements.iter().enumerate() {
             let first = 2 * e * self.functions;
-            for (row, line) in self.stiffness(element).iter().enumerate() {
+            let known = last.take().filter(|(known, _)| known.is_like(element));
+            let (_, stiffness) = last.insert(known.unwrap_or_else(|| (*element, self.stiffness(element))));
+            for (row, line) in stiffness.iter().enumerate() {
                 for (column, value) in line.iter().enumerate().take(row + 1) {
                     let (Some(i), Some(j)) = ((first + row).checked_sub(held), (first + column).checked_sub(held))
                     else {
@@ -224,7 +231,7 @@ impl Wall {
     }
 
     /// State under a pressure [Pa] over the height [m].
-    pub(super) fn under(&self, pressure: impl Fn(f64) -> f64) -> State<'_> {
+    pub(crate) fn under(&self, pressure: impl Fn(f64) -> f64) -> State<'_> {
         let mut force = vec![0.0; 2 * self.functions * (self.elements.len() + 1)];
         for (e, element) in self.elements.iter().enumerate() {
             for (t, weight) in along_points() {
@@ -240,7 +247,7 @@ impl Wall {
     }
 
     /// State of a cylinder under an outward line force of 1 N/m at a foot that can move.
-    pub(super) fn pulled(&self) -> State<'_> {
+    pub(crate) fn pulled(&self) -> State<'_> {
         let mut force = vec![0.0; 2 * self.functions * (self.elements.len() + 1)];
         force[0] = 1.0;
         self.state(&force)
@@ -252,9 +259,8 @@ impl Wall {
         unknowns[..held].fill(0.0);
         self.solve(&mut unknowns[held..]);
         // Reactions of the base: stiffness of the first element times its unknowns, less its load.
-        let first = self.stiffness(&self.elements[0]);
         let reaction = |row: usize| -> f64 {
-            let inner: f64 = first[row].iter().zip(&unknowns).map(|(k, u)| k * u).sum();
+            let inner: f64 = self.first[row].iter().zip(&unknowns).map(|(k, u)| k * u).sum();
             inner - force[row]
         };
         let [shear, moment] = [0, 1].map(|a| {
@@ -287,7 +293,7 @@ impl Wall {
 
 impl State<'_> {
     /// Forces at the height z [m] and ξ = x/B.
-    pub(super) fn at(&self, xi: f64, z: f64) -> Forces {
+    pub(crate) fn at(&self, xi: f64, z: f64) -> Forces {
         let wall = self.wall;
         let holds = |e: &Element| z < e.base + e.length;
         let last = wall.elements.len() - 1;
@@ -317,7 +323,7 @@ impl State<'_> {
     }
 
     /// Hoop force of a cylinder E s w/R [N/m]; zero otherwise.
-    pub(super) fn hoop(&self, z: f64) -> f64 {
+    pub(crate) fn hoop(&self, z: f64) -> f64 {
         let Plan::Cylinder { radius, .. } = self.wall.plan else { return 0.0 };
         let holds = |e: &&Element| z < e.base + e.length;
         let element = self.wall.elements.iter().find(holds).or(self.wall.elements.last());
