@@ -5,6 +5,7 @@ use tank::assessment::Excitation;
 use tank::case::{Case, Combination, ConvectiveCoefficient, Ec8Site, FlexibleImpulsive, GroundMotion, GroundType};
 use tank::factor::Factor;
 use tank::ingredients::{Ingredients, Ordinate, Part, Recipe, Rule};
+use tank::national::{Is1893Site, Soil, Zone};
 use tank::quantity::Quantity;
 
 use crate::api650::ground_motion::tests::site as api_site;
@@ -61,6 +62,22 @@ fn cases() -> Vec<Case> {
         case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
         case.site.ec8 = None;
         all.push(case);
+    }
+    all.extend(of_concrete());
+    all
+}
+
+/// Tanks of concrete under the sites of the codes that cover them.
+fn of_concrete() -> Vec<Case> {
+    let cylinder = crate::two_mass::tests::tank(Shape::Cylinder { radius: 8.0 }, 5.0, (6.0, 0.3), 28e9);
+    let broad = crate::two_mass::tests::tank(Shape::Cylinder { radius: 30.0 }, 5.0, (6.0, 0.3), 28e9);
+    let mut all = vec![crate::two_mass::tests::basin(), cylinder, broad];
+    for (number, case) in all.iter_mut().enumerate() {
+        case.ground_motion = Some(GroundMotion { horizontal: record(3.0), transverse: None, vertical: None });
+        case.tank.roof.mass = [0.0, 20e3][number % 2];
+        case.site.api650 = Some(api_site());
+        case.site.is1893 =
+            Some(Is1893Site { zone: Zone::V, soil: Soil::Medium, importance: 1.5, response_reduction: None });
     }
     all
 }

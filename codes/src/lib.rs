@@ -1,4 +1,4 @@
-//! The code procedures: Housner, Eurocode 8, API 650.
+//! The code procedures: Housner, Eurocode 8, API 650, ACI 350.3, IS 1893-2.
 //!
 //! This crate does not depend on files, finite elements and the report.
 //!
@@ -14,8 +14,10 @@
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
 //! | [`limit_state`], [`meaning`] | limit states as constants: clause, requirement, what is compared |
 //! | [`code`] | a code as the judge of a run knows it |
-//! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
+//! | `two_mass` | Housner's masses with SRSS, the chain of the last three procedures |
+//! | [`housner`], [`ec8`], [`api650`], [`aci350`], [`is1893`], [`national`], [`deformability`] | the procedures |
 
+pub mod aci350;
 pub mod api650;
 pub mod base_state;
 pub mod bessel;
@@ -28,11 +30,13 @@ pub mod hazard;
 pub mod housner;
 #[cfg(test)]
 mod ingredients;
+pub mod is1893;
 pub mod lifted;
 pub mod limit_state;
 pub mod meaning;
 pub mod mechanical;
 pub mod modal_action;
+pub mod national;
 pub mod ordinates;
 pub mod procedure;
 pub mod record_set;
@@ -44,6 +48,7 @@ pub mod sheet;
 pub mod site_action;
 mod slab;
 pub mod time_history;
+mod two_mass;
 pub mod wall_period;
 
 pub use code::Code;
@@ -56,6 +61,9 @@ pub const ALL: &[&dyn Procedure] = &[
     &ec8::En2006,
     &api650::edition1993::Api6501993,
     &api650::edition2020::Api6502020,
+    &aci350::Aci3502006,
+    &is1893::Is18932014,
+    &national::National,
 ];
 
 /// All codes; without a site the first counts.

@@ -67,7 +67,7 @@ fn extreme_proportions() {
 }
 
 /// Formulas that hold on one branch only.
-const BRANCHES: [(&str, &[&str]); 5] = [
+const BRANCHES: [(&str, &[&str]); 8] = [
     (
         "housner",
         &[
@@ -122,6 +122,43 @@ const BRANCHES: [(&str, &[&str]); 5] = [
             "0 MPa",
         ],
     ),
+    (
+        "aci350-2006",
+        &[
+            "(0.5 - 0.09375·r)·H",
+            "0.375·H",
+            "0.45·H",
+            "2·π·H/(C_l·√(E/ρ_w))",
+            "√(8·π·(m_w + m_r + m_i)/(D·k_a))",
+            "2·π·√((m′_w + m′_i)/k)",
+            "S_DS",
+            "S_D1/T_i",
+            "2.4·S_DS/T_c²",
+            "min(1.5·S_D1/T_c, 1.5·S_DS)",
+            "0.4·S_DS",
+            "min(1, 0.0151·r² - 0.1908·r + 1.021)",
+            "0 MPa",
+            "A_c·g·m_c/2·(4·H - 6·h_c)/H²·32/(9·π·D)",
+            "A_c·g·m_c/2·(4·H - 6·h_c)/H²/B",
+            "A_i·g·(m_i·h_i′ + ε·m_w·h_w + m_r·h_r)",
+        ],
+    ),
+    (
+        "is1893-2014",
+        &[
+            "1/(√(x)·(0.46 - 0.3·x + 0.067·x²))",
+            "2·π·√(d/g)",
+            "min(2.5, 1/T_c)",
+            "min(2.5, 1.36/T_c)",
+            "min(2.5, 1.67/T_c)",
+            "0.25",
+            "0.34",
+            "0.42",
+            "0.5625·(1 - 1/3)/cosh(3.674/r)·A_c·ρ·g·D",
+            "0.4165/cosh(3.162/r)·A_c·ρ·g·L",
+        ],
+    ),
+    ("national", &["γ·S_i/R_i", "γ·k·S_c/R_c", "k_v·γ·S_0"]),
     (
         "api650-1993",
         &[

@@ -7,14 +7,53 @@ use tank::case::{
     Api650Site, Combination, Components, ConvectiveCoefficient, Damping, Ec8Site, FlexibleImpulsive, GroundMotion,
     GroundType, ProcedureOptions, Site, SiteClass,
 };
+use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters};
+use tank::national::{Is1893Site, NationalSite, Soil, Zone};
 use tank::{Anchors, Behaviour, Bottom, Course, Liquid, Material, Pipes, Pressure, Roof, Shape, Support, Tank};
 
 /// Number of cases.
 pub(crate) const COUNT: u64 = 240;
 
+/// Number of tanks of concrete after these.
+const CONCRETE: u64 = 72;
+
 /// The family.
 pub(crate) fn cases() -> impl Iterator<Item = Case> {
-    (0..COUNT).map(|number| Draw(number.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1).case())
+    let draw = |number: u64| Draw(number.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1).case();
+    (0..COUNT).map(draw).chain((0..CONCRETE).map(move |number| of_concrete(draw(COUNT + number), number as usize)))
+}
+
+/// The same tank of concrete, on all joints and under the sites of the codes that cover it.
+fn of_concrete(mut case: Case, number: usize) -> Case {
+    for course in &mut case.tank.courses {
+        course.thickness = course.thickness.max(0.2);
+        let (name, family) = ("concrete".into(), Some(tank::Family::Concrete));
+        let material = Material { name, family, youngs_modulus: 28e9, poisson_ratio: 0.2, ..course.material.clone() };
+        course.material = Material { density: 2400.0, yield_strength: None, ..material };
+    }
+    let sliding = tank::WallBase::Sliding { stiffness: [None, Some(1e6), Some(50e6)][number % 3], friction: Some(0.5) };
+    let bases = [tank::WallBase::Fixed, tank::WallBase::Hinged, sliding];
+    case.tank.wall_base = bases[number / 3 % 3];
+    let soils = [Soil::Hard, Soil::Medium, Soil::Soft];
+    let zones = [Zone::II, Zone::III, Zone::IV, Zone::V];
+    case.site.is1893 = Some(Is1893Site {
+        zone: zones[number % 4],
+        soil: soils[number % 3],
+        importance: 1.5,
+        response_reduction: [None, Some(2.5)][number % 2],
+    });
+    if number % 4 == 0 {
+        let parameters = SpectrumParameters { ag: 2.0, soil: 1.2, corners: [0.15, 0.5, 2.0], long_corners: None };
+        case.site.spectrum = Some(SiteSpectrum { form: SpectrumForm::Parameters(parameters), vertical_ratio: 0.7 });
+        case.site.national = Some(NationalSite {
+            code: "a code".into(),
+            importance: 1.2,
+            impulsive_reduction: 2.0,
+            sloshing_reduction: 1.0,
+            sloshing_factor: [None, Some(1.75)][number / 4 % 2],
+        });
+    }
+    case
 }
 
 /// A tank of 20 m diameter with everything given, for a ratio H/R.

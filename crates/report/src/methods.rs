@@ -2,7 +2,7 @@
 
 use results::compare::MEASURED;
 use results::{FE, Method, Results};
-use tank::assessment::Excitation;
+use tank::assessment::{Excitation, Step};
 use tank::units::Dimension;
 
 /// Label, palette class and excitation of a method.
@@ -44,9 +44,8 @@ impl Look {
     }
 }
 
-/// Names of the factors by which a code divides the forces of an elastic tank, with their symbols.
-const DIVISORS: [(&str, &str); 3] =
-    [("R_wi", "response modification"), ("R_wc", "response modification"), ("q", "behaviour factor")];
+/// How the names of the factors begin by which a code divides the forces of an elastic tank.
+const DIVISORS: [&str; 3] = ["response modification", "response reduction", "behaviour factor"];
 
 /// Whether quantities of this dimension are divided by them: not periods, masses and waves.
 pub fn divides(dimension: Dimension) -> bool {
@@ -67,12 +66,15 @@ pub fn divided(results: &Results, method: &Method) -> String {
         true => (results.methods.iter())
             .find(|m| !m.is_run() && m.excitation == Excitation::Site && method.title.ends_with(&m.id)),
     };
-    let of = |(symbol, name): &(&str, &str)| {
-        let mut steps = source?.steps.iter();
-        let step = steps.find(|step| step.symbol == *symbol && step.name.starts_with(name))?;
-        (step.value != 1.0).then(|| format!("{symbol} = {}", step.value))
-    };
-    DIVISORS.iter().filter_map(of).collect::<Vec<_>>().join(", ")
+    let divides = |step: &&Step| step.value != 1.0 && DIVISORS.iter().any(|name| step.name.starts_with(name));
+    let mut factors: Vec<String> = Vec::new();
+    for step in source.iter().flat_map(|method| &method.steps).filter(divides) {
+        let factor = format!("{} = {}", step.symbol, step.value);
+        if !factors.contains(&factor) {
+            factors.push(factor);
+        }
+    }
+    factors.join(", ")
 }
 
 /// The methods of a list that divide, a sentence each.

@@ -8,6 +8,7 @@ use crate::hazard::SiteSpectrum;
 use crate::keys::{
     Acceleration, As, ByHand, Force, InG, Limits, Needed, Number, Opt, Or, Seconds, Stress, Time, Whole, keys,
 };
+use crate::national::{Is1893Site, NationalSite};
 use crate::quantity::Quantity;
 use crate::words;
 use crate::{Liquid, Tank};
@@ -80,6 +81,12 @@ pub struct Site {
     /// Zone method of API 650, 9th edition, where the data of annex E are not given; else they stand in `api650`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zone: Option<ZoneSite>,
+    /// IS 1893-2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub is1893: Option<Is1893Site>,
+    /// Data of another national code, beside its spectrum.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub national: Option<NationalSite>,
 }
 
 /// Data of the zone method of API 650, 9th edition.
@@ -96,7 +103,8 @@ pub struct ZoneSite {
 impl Site {
     /// Whether it gives a design spectrum or a zone.
     pub fn is_given(&self) -> bool {
-        self.ec8.is_some() || self.api650.is_some() || self.spectrum.is_some() || self.zone.is_some()
+        let coded = self.ec8.is_some() || self.api650.is_some() || self.zone.is_some() || self.is1893.is_some();
+        coded || self.spectrum.is_some()
     }
 
     /// Data of the zone method, alone or beside those of annex E.

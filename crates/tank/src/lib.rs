@@ -35,6 +35,7 @@ pub mod ingredients;
 pub mod keys;
 pub mod large_wave;
 mod listed;
+pub mod national;
 pub mod options;
 pub mod outside;
 mod project;

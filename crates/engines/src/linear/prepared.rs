@@ -38,6 +38,8 @@ const MESH_FOR: Site = Site {
     api650: None,
     spectrum: None,
     zone: Some(ZoneSite { zone_factor: 0.4, soil_factor: 1.0, importance: 1.0 }),
+    is1893: None,
+    national: None,
 };
 
 /// Why a study has no nonlinear liquid.

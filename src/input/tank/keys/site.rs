@@ -7,6 +7,7 @@ use tank::units::{Dimension, display_in, unit_for};
 use tank::{Tank, keys};
 
 use tank::case::{self, Api650Site, Components, Ec8Site, GroundType, SiteClass, ZoneSite};
+use tank::national::{Is1893Site, NationalSite, Soil, Zone};
 
 use super::spectrum::{self, Spectrum};
 use crate::input::diagnostic::Fault;
@@ -26,10 +27,14 @@ object! {
         api650: Opt<Given<Api650Site>> = Absent::Without("no design spectrum of this code"),
         /// The user's spectrum, in place of those of the codes.
         spectrum: Opt<Spectrum> = Absent::Without("the spectra of the codes"),
+        /// IS 1893-2, liquid retaining tanks.
+        is1893: Opt<Given<Is1893Site>>,
+        /// Factors of another national code, beside its spectrum in `spectrum`.
+        national: Opt<Given<NationalSite>>,
     }
 }
 
-choice!(GroundType, Components, SiteClass);
+choice!(GroundType, Components, SiteClass, Soil, Zone);
 
 /// Site data, each code's where it is given.
 ///
@@ -60,7 +65,12 @@ pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>
             (None, None)
         }
     };
-    case::Site { ec8, api650, spectrum, zone }
+    let is1893 = given.is1893.value().and_then(|s| s.resolve(r));
+    let national = given.national.value().and_then(|s| s.resolve(r));
+    if let (Some(site), Some(_)) = (&option.given, &given.national.given) {
+        needed(r, site, &given.spectrum, " for the factors of site.national");
+    }
+    case::Site { ec8, api650, spectrum, zone, is1893, national }
 }
 
 /// Reports a key that is missing although this file needs it.

@@ -1,0 +1,112 @@
+//! Accelerations of IS 1893-2 from zone, soil, importance and response reduction.
+
+use tank::Support;
+use tank::WallBase;
+use tank::case::Case;
+use tank::factor::Factor;
+use tank::ingredients::Ordinate;
+use tank::national::{Is1893Site, Soil, Zone};
+use tank::units::Dimension::Dimensionless;
+
+use super::CLAUSES;
+use crate::procedure::CodeError;
+use crate::two_mass::{Action, Periods, Work};
+
+const ZONE: &str = "IS 1893-1 table 3";
+const SPECTRUM: &str = "IS 1893-1 6.4.2";
+const IMPORTANCE: &str = "IS 1893-2:2014 table 1, one source";
+const REDUCTION: &str = "IS 1893-2:2014 table 2, recalled";
+const DAMPING: &str = "IITK-GSDMA 2007 4.4, 4.5.4";
+const VERTICAL: &str = "IITK-GSDMA 2007 4.10, one source";
+/// Period beyond which S_a/g keeps its value [s].
+const LAST: f64 = 4.0;
+/// Factor from 5 % to the 0.5 % of sloshing.
+const SLOSHING: f64 = 1.75;
+
+/// Zone factor Z.
+fn zone_factor(zone: Zone) -> f64 {
+    match zone {
+        Zone::II => 0.10,
+        Zone::III => 0.16,
+        Zone::IV => 0.24,
+        Zone::V => 0.36,
+    }
+}
+
+/// S_a/g at 5 % of a period of this symbol, as a formula.
+fn ordinate(soil: Soil, symbol: &str, period: f64) -> String {
+    let (falling, last) = match soil {
+        Soil::Hard => ("1", "0.25"),
+        Soil::Medium => ("1.36", "0.34"),
+        Soil::Soft => ("1.67", "0.42"),
+    };
+    if period > LAST { last.into() } else { format!("min(2.5, {falling}/{symbol})") }
+}
+
+/// Response reduction R: the user's, or that of the kind of base.
+///
+/// Errors: a flexible base of concrete, of which two recollections differ.
+fn reduction(site: &Is1893Site, case: &Case) -> Result<(f64, &'static str), CodeError> {
+    if let Some(given) = site.response_reduction {
+        return Ok((given, "site.is1893.response_reduction"));
+    }
+    let anchored = case.tank.support == Support::Anchored;
+    let flexible = matches!(case.tank.wall_base, WallBase::Sliding { .. });
+    match (case.tank.is_metal(), anchored) {
+        (true, true) => Ok((2.5, REDUCTION)),
+        (true, false) => Ok((2.0, REDUCTION)),
+        (false, true) if flexible => Err(CodeError::Data {
+            clause: "IS 1893-2:2014 table 2".into(),
+            reason: "`site.is1893.response_reduction` is missing: 2.5 and 3.5 are both in use for an anchored flexible base of concrete".into(),
+        }),
+        (false, true) => Ok((2.0, REDUCTION)),
+        (false, false) => Ok((1.5, REDUCTION)),
+    }
+}
+
+/// Lines of the accelerations.
+pub(super) fn action(work: &mut Work, periods: &Periods) -> Result<Action, CodeError> {
+    // `applies` has asked before.
+    let (Some(site), Some(impulsive)) = (work.case.site.is1893, periods.impulsive) else {
+        return Err(CodeError::Data { clause: CLAUSES.action.into(), reason: "`site.is1893` is not given".into() });
+    };
+    let (r, source) = reduction(&site, work.case)?;
+    let structure = if work.case.tank.is_metal() { 1.40 } else { 1.0 };
+    let of_structure = if work.case.tank.is_metal() {
+        "factor from 5 % to the 2 % damping of steel"
+    } else {
+        "factor of the 5 % damping of concrete"
+    };
+    let sheet = &mut work.sheet;
+    for (symbol, name, value, clause) in [
+        ("Z", "zone factor", zone_factor(site.zone), ZONE),
+        ("I", "importance factor", site.importance, IMPORTANCE),
+        ("R", "response reduction", r, source),
+        ("k_i", of_structure, structure, DAMPING),
+        ("k_c", "factor from 5 % to the 0.5 % damping of sloshing", SLOSHING, DAMPING),
+    ] {
+        sheet.input(symbol, name, value, Dimensionless, clause);
+    }
+    let formula = ordinate(site.soil, "T_i", impulsive.period);
+    sheet.calc("S_i", "S_a/g at T_i, 5 % damping", &formula, Dimensionless, SPECTRUM);
+    let formula = ordinate(site.soil, "T_c", periods.convective);
+    sheet.calc("S_c", "S_a/g at T_c, 5 % damping", &formula, Dimensionless, SPECTRUM);
+    let clause = CLAUSES.action;
+    let a_i = sheet.calc("A_i", "impulsive acceleration [g]", "Z/2·I/R·k_i·S_i", Dimensionless, clause);
+    let a_c = sheet.calc("A_c", "convective acceleration [g]", "Z/2·I/R·k_c·S_c", Dimensionless, clause);
+    let name = "acceleration of the sloshing wave, not reduced [g]";
+    let a_w = sheet.calc("A_w", name, "A_c·R", Dimensionless, CLAUSES.wave);
+    let a_v = sheet.calc("A_v", "vertical acceleration [g]", "2/3·Z/2·I/R·2.5", Dimensionless, VERTICAL);
+
+    let g = work.case.gravity;
+    let importance = (Factor::Importance, site.importance);
+    let reduced = (Factor::BehaviourFactor, 1.0 / r);
+    let of = |period: f64, value: f64, factors: &[(Factor, f64)]| Ordinate::at(period, 0.05, value * g).split(factors);
+    let damped = (Factor::DampingCorrection, SLOSHING);
+    Ok(Action {
+        impulsive: of(impulsive.period, a_i, &[(Factor::DampingCorrection, structure), importance, reduced]),
+        convective: of(periods.convective, a_c, &[damped, importance, reduced]),
+        wave: of(periods.convective, a_w, &[damped, importance]),
+        vertical: a_v * g,
+    })
+}
