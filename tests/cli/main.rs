@@ -57,6 +57,7 @@ mod study_sets;
 mod tank_file;
 mod templates;
 mod texts;
+mod two_masses;
 mod unlike;
 mod verdict;
 mod verify;
