@@ -73,6 +73,7 @@ pub const ALL: &[&Benchmark] = &[
     &base::anchors::BENCHMARK,
     &base::loops::BENCHMARK,
     &tanks::datasheet::BENCHMARK,
+    &tanks::two_masses::BENCHMARK,
     &soil::impedances::BENCHMARK,
     &soil::structure::BENCHMARK,
     &soil::engine::BENCHMARK,

@@ -26,6 +26,7 @@ pub(crate) mod solid_box;
 pub(crate) mod tilt;
 pub(crate) mod transfer;
 pub(crate) mod turning;
+pub(crate) mod two_masses;
 pub(crate) mod wall_modes;
 
 /// The dissertation's g [m/s²].
