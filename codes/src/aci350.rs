@@ -48,7 +48,7 @@ const CLAUSES: Clauses = Clauses {
     moments: "ACI 350.3-06 4.1.3",
     wave: "ACI 350.3-06 7.1",
     pressures: "ACI 350.3-06 5.3, R5.3",
-    combination: "ACI 350.3-06 4.1.2, 5.3, recalled",
+    combination: "ACI 350.3-06 4.1.2/5.3, recalled",
 };
 
 impl Procedure for Aci3502006 {

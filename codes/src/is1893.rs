@@ -39,7 +39,7 @@ const CLAUSES: Clauses = Clauses {
     moments: "IITK-GSDMA 2007 4.7",
     wave: "IITK-GSDMA 2007 4.11",
     pressures: "IITK-GSDMA 2007 4.9",
-    combination: "IITK-GSDMA 2007 4.9, 4.10",
+    combination: "IITK-GSDMA 2007 4.9/4.10",
 };
 
 impl Procedure for Is18932014 {

@@ -163,6 +163,9 @@ pub(crate) fn assess(rules: &dyn Rules, case: &Case, excitation: Excitation) -> 
     work.ingredients(&masses, &periods, &action, share.unwrap_or(1.0), stresses);
     let Work { sheet, mut out, .. } = work;
     out.recalled = sheet.recalled().to_vec();
+    if !out.recalled.is_empty() {
+        out.notes.push(format!("Recalled, not compared with the code: {}.", out.recalled.join("; ")));
+    }
     out.steps = sheet.into_steps()?;
     Ok(out)
 }

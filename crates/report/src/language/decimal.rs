@@ -1,7 +1,7 @@
 //! Decimal commas.
 
 /// Names of standards: numbers behind them are clauses.
-const STANDARDS: [&str; 6] = ["EN ", "ENV ", "DIN ", "API ", "ASCE ", "ISO "];
+const STANDARDS: [&str; 9] = ["EN ", "ENV ", "DIN ", "API ", "ASCE ", "ISO ", "ACI ", "IS ", "IITK-GSDMA "];
 
 /// `text` with decimal commas. Clauses (`4.3.2`, `A.3`), names of standards, code in backquotes, and everything behind
 /// the name of a standard up to the next comma or semicolon stay.
@@ -48,6 +48,7 @@ mod tests {
             ("16\u{202f}312.5 kN", "16\u{202f}312,5 kN"),
             ("3.2.1 und A.3", "3.2.1 und A.3"),
             ("EN 1998-4:2006 4.4: 1.5", "EN 1998-4:2006 4.4: 1,5"),
+            ("ACI 350.3-06 4.1: 1.5; IS 1893-1 6.4", "ACI 350.3-06 4.1: 1,5; IS 1893-1 6.4"),
             ("`a.1.5` 1.5", "`a.1.5` 1,5"),
             ("1.5·10⁻³", "1,5·10⁻³"),
             ("C30.37", "C30.37"),
