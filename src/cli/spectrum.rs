@@ -13,7 +13,7 @@ use crate::cli::budget;
 use crate::cli::inputs::Reading;
 use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::terminal::{say, warn};
+use crate::cli::terminal::{print_coloured, say, warn};
 use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, AccelerationUnit, Processing};
@@ -123,8 +123,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let _ = writeln!(text, "\n{}", method.statement());
             print(&text)?;
         }
-        Format::Json => print(&format!("{}\n", to_json(&result)))?,
-        Format::Csv => print(&csv(&result))?,
+        Format::Json => print_coloured(&format!("{}\n", to_json(&result)))?,
+        Format::Csv => print_coloured(&csv(&result))?,
     }
     if args.format != Format::Human && !global.quiet {
         say!("note: {}", method.statement());
@@ -286,12 +286,27 @@ fn not_finite(result: &Spectrum) -> Option<Error> {
 
 fn csv(result: &Spectrum) -> String {
     let mut text = String::from("damping,period_s,sd_m,psv_m_s,psa_m_s2,sv_m_s,sa_m_s2\n");
+    let mut buffer = zmij::Buffer::new();
     for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
+        let damping = damping.to_string();
         for (period, o) in result.periods.iter().zip(row) {
-            let _ = writeln!(text, "{damping},{period},{},{},{},{},{}", o.sd, o.psv, o.psa, o.sv, o.sa);
+            text.push_str(&damping);
+            for value in [*period, o.sd, o.psv, o.psa, o.sv, o.sa] {
+                text.push(',');
+                shortest(&mut text, buffer.format(value), value);
+            }
+            text.push('\n');
         }
     }
     text
+}
+
+/// Appends a number as `{}` writes it, from its shortest `digits`, which may have an exponent or a zero after the point.
+fn shortest(text: &mut String, digits: &str, value: f64) {
+    match digits.contains(['e', 'N', 'i']) {
+        true => _ = write!(text, "{value}"),
+        false => text.push_str(digits.strip_suffix(".0").unwrap_or(digits)),
+    }
 }
 
 fn human(result: &Spectrum) -> String {
@@ -380,6 +395,15 @@ mod tests {
         assert_eq!(peak("100 gal").unwrap(), 1.0);
         for bad in ["2", "g", "-1 g", "1 m", "", "1e999 g"] {
             assert!(peak(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn numbers_of_csv_are_those_of_display() {
+        for value in [0.0, -0.0, 1.0, -0.25, 0.1, 1e-5, 1.5e-7, 123456.789, 1e15, 1e16, 1e17, 1e300, f64::NAN] {
+            let mut text = String::new();
+            shortest(&mut text, zmij::Buffer::new().format(value), value);
+            assert_eq!(text, value.to_string());
         }
     }
 

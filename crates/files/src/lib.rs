@@ -27,7 +27,7 @@ mod work;
 
 pub use folder::{Kind, Lock, OutputFolder, differing, edited, kept_complete, settle, unmarked};
 pub use manifest::MANIFEST_FILE;
-pub use regular::{read, read_text, special};
+pub use regular::{open, read, read_text, special};
 pub use staging::discard_unfinished;
 pub use work::WorkFolder;
 

@@ -21,7 +21,7 @@ pub fn special(path: &Path) -> Result<Option<&'static str>> {
 /// Opens a regular file.
 ///
 /// Errors: as [`std::fs::File::open`]; what is not a regular file.
-pub(crate) fn open(path: &Path) -> Result<File> {
+pub fn open(path: &Path) -> Result<File> {
     match kind(&std::fs::metadata(path)?) {
         None => File::open(path),
         Some(what) => Err(Error::new(ErrorKind::InvalidInput, format!("found {what}, expected a file"))),

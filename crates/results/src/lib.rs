@@ -9,6 +9,7 @@ mod base_run;
 mod changes;
 pub mod channel;
 pub mod compare;
+mod digits;
 mod directions;
 mod fact;
 mod fields;

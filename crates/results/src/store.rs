@@ -1,12 +1,14 @@
 //! Reading and writing the results folder.
 
 use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::channel::{GROUND_COLUMNS, VERTICAL_PREFIX};
+use super::digits::{self, rounded};
 use super::{FORMAT, Results, Run, Series, layout, previous, scene, transfer};
 use files::code::Code;
 use files::error::{Error, describe};
@@ -95,27 +97,43 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         return Ok(Series::default());
     }
     let fault = |what: String| Error::File { code: Code::NotResults, path: path.clone(), what };
-    let bytes = files::read(&path).map_err(|e| fault(e.to_string()))?;
+    let damaged = |e: std::io::Error| fault(e.to_string());
+    let mut reader = BufReader::with_capacity(GATHERED, files::open(&path).map_err(damaged)?);
+    let mut line = String::new();
+    reader.read_line(&mut line).map_err(damaged)?;
     // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
-    let mut reader = csv::ReaderBuilder::new().quoting(false).from_reader(bytes.as_slice());
-    let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
-    if header.get(0) != Some("time_s") {
-        return Err(fault(format!("first column is `{}`, expected `time_s`", header.get(0).unwrap_or(""))));
+    let mut heads = row(&line).split(',');
+    let first = heads.next().unwrap_or("");
+    if first != "time_s" {
+        return Err(fault(format!("first column is `{first}`, expected `time_s`")));
     }
-    let mut series =
-        Series { ids: header.iter().skip(1).map(|head| id_of(head).to_owned()).collect(), ..Series::default() };
-    series.columns = vec![Vec::new(); series.ids.len()];
-    for row in reader.records() {
-        let row = row.map_err(|e| fault(e.to_string()))?;
-        let line = row.position().map_or(0, |p| p.line());
-        let number =
-            |text: &str| text.parse::<f64>().map_err(|_| fault(format!("line {line}: `{text}` is not a number")));
-        series.time.push(number(row.get(0).unwrap_or(""))?);
-        for (column, text) in series.columns.iter_mut().zip(row.iter().skip(1)) {
-            column.push(number(text)?);
+    let ids: Vec<String> = heads.map(|head| id_of(head).to_owned()).collect();
+    let mut series = Series { time: Vec::new(), columns: vec![Vec::new(); ids.len()], ids };
+    for number in 2.. {
+        line.clear();
+        if reader.read_line(&mut line).map_err(damaged)? == 0 {
+            break;
+        }
+        let line = row(&line);
+        if line.is_empty() {
+            continue;
+        }
+        let (found, expected) = (line.split(',').count(), series.ids.len() + 1);
+        if found != expected {
+            return Err(fault(format!("line {number}: found {found} columns, expected {expected}")));
+        }
+        let columns = std::iter::once(&mut series.time).chain(&mut series.columns);
+        for (column, text) in columns.zip(line.split(',')) {
+            let value = text.parse().map_err(|_| fault(format!("line {number}: `{text}` is not a number")))?;
+            column.push(value);
         }
     }
     Ok(series)
+}
+
+/// A line without its end.
+fn row(line: &str) -> &str {
+    line.trim_end_matches(['\n', '\r'])
 }
 
 /// Writes `results.json`, `series.csv` (unless empty) and `transfer.csv` (of the first run that has one) into an existing folder.
@@ -134,7 +152,10 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     if series.time.is_empty() {
         return Ok(());
     }
-    put(&folder.join(SERIES_FILE), series_csv(series, &units(results)).as_bytes())
+    let path = folder.join(SERIES_FILE);
+    let file = std::fs::File::create(&path);
+    let written = file.and_then(|file| write_series(&file, series, &units(results)));
+    written.map_err(|e| Error::Unwritten { path, what: describe(&e) })
 }
 
 /// Symbols of the units of the columns by id, of all runs and of the ground.
@@ -168,26 +189,36 @@ fn id_of(head: &str) -> &str {
     head.split_once(" [").map_or(head, |(id, _)| id)
 }
 
-/// `series.csv` as text; 7 significant digits.
+/// Bytes of `series.csv` that are written or read at once.
+const GATHERED: usize = 1 << 20;
+
+/// Writes `series.csv`; 7 significant digits.
 ///
 /// * `units`: symbols of units by id
-fn series_csv(series: &Series, units: &BTreeMap<String, &'static str>) -> String {
-    use std::fmt::Write;
-    let mut text = String::with_capacity(series.time.len() * (series.columns.len() + 1) * 14);
-    text.push_str("time_s");
+fn write_series(
+    mut file: &std::fs::File,
+    series: &Series,
+    units: &BTreeMap<String, &'static str>,
+) -> std::io::Result<()> {
+    let mut text = b"time_s".to_vec();
     for id in &series.ids {
-        text.push(',');
-        text.push_str(&head(id, units));
+        text.push(b',');
+        text.extend_from_slice(head(id, units).as_bytes());
     }
-    text.push('\n');
+    text.push(b'\n');
     for (i, t) in series.time.iter().enumerate() {
-        let _ = write!(text, "{}", round_significant(*t, 9));
+        write!(text, "{}", rounded(*t, 9))?;
         for column in &series.columns {
-            let _ = write!(text, ",{:e}", round_significant(column[i], 7));
+            text.push(b',');
+            digits::append(&mut text, column[i], 7);
         }
-        text.push('\n');
+        text.push(b'\n');
+        if text.len() >= GATHERED {
+            file.write_all(&text)?;
+            text.clear();
+        }
     }
-    text
+    file.write_all(&text)
 }
 
 /// Reads a JSON document of this `format` from `path`; `what` names it in messages.
@@ -232,9 +263,7 @@ fn round_numbers(value: &mut serde_json::Value, digits: usize) {
     use serde_json::Value;
     match value {
         Value::Number(number) if number.is_f64() => {
-            if let Some(rounded) =
-                number.as_f64().and_then(|x| serde_json::Number::from_f64(round_significant(x, digits)))
-            {
+            if let Some(rounded) = number.as_f64().and_then(|x| serde_json::Number::from_f64(rounded(x, digits))) {
                 *number = rounded;
             }
         }
@@ -247,14 +276,6 @@ fn round_numbers(value: &mut serde_json::Value, digits: usize) {
         }
         _ => {}
     }
-}
-
-/// `x` rounded to `digits` significant digits, by a decimal round trip (exact to the last bit, unlike scaling).
-fn round_significant(x: f64, digits: usize) -> f64 {
-    if x == 0.0 {
-        return 0.0;
-    }
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
 #[cfg(test)]

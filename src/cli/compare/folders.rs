@@ -11,7 +11,7 @@ use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
 use files::code::{Code, Warning};
 use report;
-use results::{self, scene, vtu};
+use results::{self, Series, scene, vtu};
 
 /// Where a run writes.
 pub(super) struct Folders {
@@ -45,6 +45,8 @@ impl Folders {
         }
         let Outcome { results, series, snapshots } = outcome;
         results::write(&self.out.path(), results, series)?;
+        // The report reads its own: long histories are not in the memory twice.
+        *series = Series::default();
         if !args.no_report {
             report::render(&self.out.path(), args.templates.as_deref(), args.level.level())?;
         }
