@@ -239,7 +239,8 @@ impl ModalBasis {
     ) -> Result<Vec<Vec<f64>>, AnalysisError> {
         self.check(ratios, load)?;
         let stride = stride.max(1);
-        let mut out = vec![Vec::with_capacity(grid.steps() / stride + 1); 2 * self.len() + 3];
+        let history = |_| Vec::with_capacity(grid.steps() / stride + 1);
+        let mut out: Vec<Vec<f64>> = (0..2 * self.len() + 3).map(history).collect();
         self.march(ratios, load, grid, |chunk| {
             let kept = chunk.every(stride);
             for (number, history) in out.iter_mut().enumerate() {

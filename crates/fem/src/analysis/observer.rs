@@ -5,7 +5,7 @@
 //! far:
 //!
 //! ```text
-//! max_t Σ c_k s_k(t) ≤ Σ max(c_k min_t s_k, c_k max_t s_k)
+//! max_t Σ c_k s_k(t) ≤ Σ c_k m_k + |c_k| h_k          m_k, h_k: middle and half of the range of s_k
 //! ```
 //!
 //! which leaves the strong part of the motion. Between the samples of the state the response is followed by the cubic
@@ -23,8 +23,8 @@ pub struct Chunk {
     /// Number of instants, at most [`Chunk::LENGTH`] + 1.
     pub len: usize,
     data: Vec<f64>,
-    low: Vec<f64>,
-    high: Vec<f64>,
+    /// Middle and half of the range of each state.
+    ranges: Vec<[f64; 2]>,
 }
 
 impl Chunk {
@@ -34,7 +34,7 @@ impl Chunk {
 
     /// An empty chunk of `rows` states.
     pub fn new(rows: usize) -> Chunk {
-        Chunk { start: 0, len: 0, data: vec![0.0; rows * Chunk::STRIDE], low: vec![0.0; rows], high: vec![0.0; rows] }
+        Chunk { start: 0, len: 0, data: vec![0.0; rows * Chunk::STRIDE], ranges: vec![[0.0; 2]; rows] }
     }
 
     /// The instants of one state.
@@ -62,18 +62,27 @@ impl Chunk {
     /// Works out the bounds of the states; to be called once the chunk is filled. False if a state is not finite.
     pub fn close(&mut self) -> bool {
         let mut finite = true;
-        for row in 0..self.low.len() {
+        for (row, range) in self.ranges.iter_mut().enumerate() {
             let states = &self.data[row * Chunk::STRIDE..][..self.len];
-            let (mut low, mut high, mut sum) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-            for &s in states {
-                low = if s < low { s } else { low };
-                high = if s > high { s } else { high };
-                sum += s;
+            // Lanes beside each other: each waits for the one before.
+            let (mut low, mut high, mut sum) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES], [0.0; LANES]);
+            let mut add = |lane: usize, s: f64| {
+                low[lane] = if s < low[lane] { s } else { low[lane] };
+                high[lane] = if s > high[lane] { s } else { high[lane] };
+                sum[lane] += s;
+            };
+            let (whole, rest) = states.as_chunks::<LANES>();
+            for states in whole {
+                for lane in 0..LANES {
+                    add(lane, states[lane]);
+                }
             }
-            finite &= f64::is_finite(sum);
+            rest.iter().for_each(|&s| add(0, s));
+            finite &= sum.iter().sum::<f64>().is_finite();
+            let (low, high) =
+                (low.iter().fold(f64::INFINITY, |m, &s| m.min(s)), high.iter().fold(-f64::INFINITY, |m, &s| m.max(s)));
             // Between samples 20 a period apart a sinusoid exceeds them by up to 1.2 %.
-            let margin = 0.02 * (high - low);
-            (self.low[row], self.high[row]) = (low - margin, high + margin);
+            *range = [0.5 * (low + high), 0.52 * (high - low)];
         }
         finite
     }
@@ -106,11 +115,11 @@ impl Row {
     /// Bounds of y in the chunk.
     fn bounds(&self, chunk: &Chunk) -> (f64, f64) {
         // Sums beside each other: an addition waits for the one before.
-        let (mut low, mut high) = ([0.0; LANES], [0.0; LANES]);
+        let mut sums = [[0.0; 2]; LANES];
         let mut add = |lane: usize, &(k, c): &(usize, f64)| {
-            let (a, b) = (c * chunk.low[k], c * chunk.high[k]);
-            low[lane] += if a < b { a } else { b };
-            high[lane] += if a < b { b } else { a };
+            let [middle, half] = chunk.ranges[k];
+            sums[lane][0] += c * middle;
+            sums[lane][1] += c.abs() * half;
         };
         let (whole, rest) = self.value.as_chunks::<LANES>();
         for terms in whole {
@@ -119,7 +128,8 @@ impl Row {
             }
         }
         rest.iter().for_each(|term| add(0, term));
-        (low.iter().sum(), high.iter().sum())
+        let [middle, half] = [0, 1].map(|i| sums.iter().map(|sum| sum[i]).sum::<f64>());
+        (middle - half, middle + half)
     }
 
     /// Slopes h ẏ at both ends of the step from instant `k` to `k` + 1, times the step h.
@@ -249,13 +259,16 @@ pub struct Observer<'a> {
 impl<'a> Observer<'a> {
     /// Observes histories of `scalars` and extremes of `others` on `grid`.
     pub fn new(scalars: &'a [Row], others: &'a [Row], grid: Grid) -> Observer<'a> {
-        let empty = History { values: Vec::with_capacity(grid.samples), extreme: Extreme::REST };
+        let empty = |_| History { values: Vec::with_capacity(grid.samples), extreme: Extreme::REST };
         Observer {
             scalars,
             others,
             grid,
             buffer: vec![0.0; Chunk::STRIDE],
-            observed: Observed { scalars: vec![empty; scalars.len()], extremes: vec![Extreme::REST; others.len()] },
+            observed: Observed {
+                scalars: scalars.iter().map(empty).collect(),
+                extremes: vec![Extreme::REST; others.len()],
+            },
         }
     }
 
