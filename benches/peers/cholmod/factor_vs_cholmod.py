@@ -3,11 +3,11 @@
 
 Usage: benches/peers/cholmod/factor_vs_cholmod.py [NAME...]      (default: all patterns, 4 000 to 104 000 unknowns)
 
-CHOLMOD needs an optimised BLAS: with the reference BLAS it is ten times slower, and the comparison means nothing. Check with
-`ldd`, or set LD_LIBRARY_PATH to the folder of OpenBLAS' libblas.so.3. One thread each, processor time, medians; both programs run one after the other for every matrix. The sums of the solutions
+CHOLMOD needs an optimised BLAS with the kernels of the processor: an OpenBLAS that does not recognise it falls back to some
+without wide registers (choose with OPENBLAS_CORETYPE), and the comparison means nothing; it stops. One thread each, processor time, medians; both programs run one after the other for every matrix. The sums of the solutions
 must agree to 1e-6: a fast wrong run does not count.
 """
-import json, os, subprocess, sys, tempfile
+import ctypes, json, os, subprocess, sys, tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
 root = os.path.dirname(os.path.dirname(os.path.dirname(here)))
@@ -15,6 +15,13 @@ one = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 subprocess.run(["cargo", "build", "--release", "--quiet", "-p", "fem", "--example", "solver_peers"], cwd=root, check=True)
 target = os.environ.get("CARGO_TARGET_DIR", os.path.join(root, "target"))
 ours_program = os.path.join(target, "release", "examples", "solver_peers")
+
+blas = ctypes.CDLL("libopenblas.so.0")
+blas.openblas_get_corename.restype = ctypes.c_char_p
+kernels = blas.openblas_get_corename().decode()
+print("OpenBLAS kernels:", kernels)
+if kernels not in ("Haswell", "Zen", "SkylakeX", "Cooperlake", "Sapphirerapids"):
+    sys.exit("these kernels are older than AVX2: set OPENBLAS_CORETYPE to those of the processor")
 
 with tempfile.TemporaryDirectory() as folder:
     peer = os.path.join(folder, "cholmod_times")
