@@ -45,6 +45,7 @@ use system::Harmonic;
 
 use super::harmonic::Places;
 use super::histories::Histories;
+use super::response::motion::Grid;
 use super::{FeError, Simulation};
 use crate::checks::checked_motion;
 use results::channel::OnWall;
@@ -131,7 +132,9 @@ pub(crate) fn simulate_to(
     let second = |mesh: SecondMesh| -> Result<Second, FeError> {
         let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
         let values = match motion {
-            Some(motion) => analyse_on(&model, motion, (&mesh.options, extent), &Silent)?.values(&model, round),
+            Some(motion) => {
+                analyse_on(&model, motion, (&mesh.options, Extent::Extremes), &Silent)?.values(&model, round)
+            }
             None => units::properties(&model),
         };
         let units = case.site.is_given().then(|| units::units(&model, &mesh.options)).transpose()?;
@@ -277,8 +280,8 @@ fn report(
     let (soil, fixed_place) = soil::outcome(case, model, &analysis, motion, options)?.unzip();
     let hoop_place = fixed_place.flatten().or(hoop_place);
     notes.extend(soil::note(case, linear.engine, soil.is_some()));
-    let histories = histories(linear.extent, motion, &analysis, around.as_ref(), &base);
-    analysis.grid = base.record_grid(analysis.grid);
+    let grid = analysis.grid;
+    analysis.grid = base.record_grid(grid);
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = base.free.moved().map(|_| (notes.clone(), assumptions.clone()));
     rocking::say(&base.free, options.heave.is_some(), &mut notes, &mut assumptions);
@@ -287,6 +290,7 @@ fn report(
     let both = (&analysis, around.as_ref());
     let of_wall = limits::limits(case, seen, both, nonlinear, (motion.horizontal.dt, linear.engine));
     let snapshots = base.states(linear.states, (case, seen), (&driven, options), &analysis)?;
+    let histories = histories(linear.extent, motion, (grid, &mut analysis), around.as_ref(), &base);
     let result = Run {
         modes: modes(case, model),
         modal: modal::parts(&model.on_fixed_base(), hoop_place),
@@ -395,27 +399,26 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
     model.held_systems().flat_map(listed).collect()
 }
 
-/// Ground motion, scalars and the base's own histories; runs to some extents have none.
+/// Ground motion, scalars and the base's own histories; runs to some extents have none. The scalars of the analysis lose their values.
 fn histories(
     extent: Extent,
     motion: &GroundMotion,
-    analysis: &Analysis,
+    (grid, analysis): (Grid, &mut Analysis),
     around: Option<&Around>,
     base: &MovingBase,
 ) -> Histories {
     if extent == Extent::Selected {
         return Histories::at(Vec::new());
     }
-    let grid = &analysis.grid;
     let mut histories = Histories::at((0..grid.samples).map(|k| k as f64 * grid.dt).collect());
     histories.push_ground(motion);
-    for (scalar, history) in &analysis.scalars {
+    for (scalar, history) in &mut analysis.scalars {
         // With a component along y the internal forces are those of both ([`around`]).
         if motion.transverse.is_some() && scalar.channel.force_at().is_some() {
             continue;
         }
         let info = SeriesInfo::of(scalar.channel, scalar.static_value, history.extreme.peak());
-        histories.push(info, history.values.clone());
+        histories.push(info, std::mem::take(&mut history.values));
     }
     if let Some(around) = around {
         around.add(&mut histories);

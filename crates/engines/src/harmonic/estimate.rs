@@ -44,8 +44,8 @@ const LIFTED: f64 = 4.0;
 const LIFTING_STEP: f64 = 220.0;
 /// Vectors and threads of a mesh, however small [bytes].
 const SMALL: f64 = 1.0 * MIB;
-/// Times that a history is there: in the response, as a column of the results, as text.
-const COPIES: f64 = 3.0;
+/// Times that a history is there: in the results or, after these, in the report, whose columns grow as they are read.
+const COPIES: f64 = 1.5;
 /// Operations of all modes of a dense pair of matrices of order n, over n³.
 const MODES: f64 = 12.0;
 /// States and outputs of one step of a modal response [s].

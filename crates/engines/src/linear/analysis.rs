@@ -171,6 +171,8 @@ pub(crate) enum Extent {
     Quick,
     /// Values and demands alone.
     Values,
+    /// Values alone, without histories: those of a second mesh.
+    Extremes,
 }
 
 impl Extent {
@@ -249,13 +251,19 @@ pub(crate) fn analyse_on<'a>(
     };
     let number: usize = further.iter().map(|wave| wave.observables().count()).sum();
     let beside: &[Observable] = if extent.follows_hoop() { &[] } else { &on_lines };
-    let others: Vec<Observable> = opposite
+    // Scalars without histories are observed as all others.
+    let (kept_scalars, seen): (&[Observable], &[Observable]) =
+        if extent == Extent::Extremes { (&[], &observables) } else { (&observables, &[]) };
+    let others: Vec<Observable> = seen
         .iter()
+        .chain(&opposite)
         .cloned()
         .chain(further.iter().flat_map(waves::Further::observables))
         .chain(beside.iter().cloned())
         .collect();
-    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &others, progress)?;
+    let mut observed = superpose::respond(&systems, &ground, grid, kept_scalars, &others, progress)?;
+    let extremes_of_scalars = observed.extremes.drain(..seen.len());
+    observed.scalars.extend(extremes_of_scalars.map(|extreme| History { values: Vec::new(), extreme }));
     let mut others_found = observed.extremes.split_off(opposite.len());
     let lines_found = others_found.split_off(number);
     let waves = waves::rises(&further, &others_found);

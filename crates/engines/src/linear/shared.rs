@@ -99,7 +99,8 @@ impl Shared {
                 let round = matches!(self.case.tank.shape, Shape::Cylinder { .. });
                 Some(Second {
                     ratio: mesh.ratio,
-                    values: analyse_on(&model, motion, (&mesh.options, Extent::Quick), &Silent)?.values(&model, round),
+                    values: analyse_on(&model, motion, (&mesh.options, Extent::Extremes), &Silent)?
+                        .values(&model, round),
                     wave: None,
                     units: if self.case.site.is_given() { Some(units::units(&model, &mesh.options)?) } else { None },
                 })

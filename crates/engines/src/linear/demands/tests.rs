@@ -54,6 +54,19 @@ fn run(vertical: bool) -> Run {
     }
 }
 
+/// A second mesh is observed without histories and in one pass: its values are those of a whole run to the last bit.
+#[test]
+fn values_of_a_second_mesh_are_those_of_a_whole_run() {
+    let (case, options) = (broad(), LinearOptions::default());
+    for vertical in [false, true] {
+        let model = Model::new(&case, &options, vertical, Places::Dense).unwrap();
+        let on = |extent| analyse_on(&model, &motion(vertical), (&options, extent), &Silent).unwrap();
+        let (whole, second) = (on(Extent::Whole), on(Extent::Extremes));
+        assert_eq!(whole.values(&model, true), second.values(&model, true));
+        assert!(second.scalars.iter().all(|(_, history)| history.values.is_empty()));
+    }
+}
+
 /// Largest |even ± odd| over time.
 fn peaks(demands: &Demands, of: &Stress) -> [f64; 2] {
     let (even, odd) = (demands.history(&of.even), demands.history(&of.odd));
