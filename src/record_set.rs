@@ -5,7 +5,7 @@
 //! one model ─ a run a record ─ quantities and checks of each ─ mean or worst ─ columns, checks, verdict
 //! ```
 //!
-//! The harmonic engine builds its model once. Histories, spectra, profiles and sheets of the results are those of one record, which is named;
+//! Engines build their model once. Histories, spectra, profiles and sheets of the results are those of one record, which is named;
 //! what stands for the set are the quantities and the checks.
 
 mod design;
@@ -31,7 +31,7 @@ use crate::error::Error;
 use crate::job::Job;
 use crate::pipeline::{self, Outcome, ground_motion};
 use crate::study::rule::{self, Answer, FIVE, Question, Wanted};
-use engines::{FeError, Shared, Simulation, engine};
+use engines::{FeError, Shared, Simulation, solid};
 use results::{Compatibility, EngineId, Method, SetPeriod, SourceFile};
 
 /// Every how many of the periods of the rule the curves of the results keep one.
@@ -159,14 +159,21 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     pipeline::admit(&under(&set, 0))?;
     let case = set.job.case.clone();
     let motions: Vec<&GroundMotion> = set.records.iter().map(|r| &r.motion).collect();
-    let shared = match set.job.engines.first() {
+    let model = match set.job.engines.first() {
         Some(EngineId::Harmonic) => {
             progress.stage("wall, liquid and modes", 1);
-            Some(Shared::new(&case, &set.job.linear, &motions)?)
+            Some(Model::Harmonic(Shared::new(&case, &set.job.linear, &motions)?))
+        }
+        Some(EngineId::Solid) => {
+            let job = under(&set, 0);
+            Some(Model::Solid(Box::new(solid::Shared::new(&job.case, &job.linear, &job.solid, progress)?)))
         }
         _ => None,
     };
-    let modes = shared.as_ref().map_or([None; 2], Shared::periods);
+    let modes = match &model {
+        Some(Model::Harmonic(shared)) => shared.periods(),
+        _ => [None; 2],
+    };
     let wanted = match rule::periods(&case, &set.job.decision) {
         Ok(wanted) => wanted,
         Err(_) => rule::both(&case, modes.map(|period| Some((period?, "finite elements")))),
@@ -195,7 +202,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
             methods: pipeline::procedures::under(&job, Excitation::Record).map_err(of_record)?,
             ..Under::default()
         };
-        if let Some(mut found) = run_engine(&job, shared.as_ref(), i == shown, progress).map_err(of_record)? {
+        if let Some(mut found) = run_engine(&job, model.as_ref(), i == shown, progress).map_err(of_record)? {
             if i == shown {
                 errors.clone_from(&found.result.mesh_error);
             }
@@ -222,23 +229,35 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     pipeline::run_set(&job, simulation.into_iter().collect(), design)
 }
 
+/// The model of a tank, which serves all records.
+enum Model {
+    Harmonic(Shared),
+    Solid(Box<solid::Shared>),
+}
+
 /// The run of the engine under the motion of a job; none without an engine.
 fn run_engine(
     job: &Job,
-    shared: Option<&Shared>,
+    model: Option<&Model>,
     shown: bool,
     progress: &dyn Progress,
 ) -> Result<Option<Simulation>, Error> {
-    let (Some(&id), Some(motion)) = (job.engines.first(), &job.case.ground_motion) else { return Ok(None) };
-    let simulation = match shared {
-        Some(shared) => {
+    let (Some(model), Some(motion)) = (model, &job.case.ground_motion) else { return Ok(None) };
+    let simulation = match model {
+        Model::Harmonic(shared) => {
             let mut simulation = shared.run(motion, shown, progress)?;
             if shown {
                 shared.finish(&mut simulation, motion)?;
             }
             simulation
         }
-        None => engine(id).run(&job.task(), progress)?,
+        Model::Solid(shared) => {
+            let mut simulation = shared.respond(&job.case, &job.linear, progress)?;
+            if shown {
+                shared.finish((&job.case, &job.linear, &job.solid), &mut simulation, progress)?;
+            }
+            simulation
+        }
     };
     if simulation.result.incomplete {
         return Err(Error::Fe(FeError::Interrupted { stage: "a set of records".into() }));

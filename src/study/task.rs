@@ -2,11 +2,12 @@
 //!
 //! The harmonic engine builds one model for the block and runs a record once; its scales are the scaled response
 //! ([`engines::Response::values_under`]), its checks take the factor ([`codes::time_history::Ready`]), and its codes the spectrum of the record once ([`codes::ordinates::Shared`]). A tank whose base lifts or slides, isolators, and the other
-//! engines run every scale.
+//! engines run every scale; the three-dimensional one does so on one model.
 
 mod record;
 mod values;
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use oscillator::record::Record;
@@ -24,7 +25,7 @@ use crate::input::study::{Shaking, StudyInput};
 use crate::job::{self, Job};
 use crate::pipeline;
 use engines::estimate::Estimate;
-use engines::{Prepared, engine};
+use engines::{Prepared, engine, solid};
 use results::{EngineId, Method};
 use values::{utilisations, values_of};
 
@@ -49,7 +50,7 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
     unchanged(plan, &tank_keys, &record_keys)?;
     let mut lines = Vec::new();
     for ((tank, sample), found) in tanks {
-        let unit = Unit { study, plan, id: &plan.tanks[tank].id, sample, records: &records };
+        let unit = Unit { study, plan, id: &plan.tanks[tank].id, sample, records: &records, solid: RefCell::default() };
         match found {
             Ok(found) => unit.rows(found, &mut lines)?,
             Err(faults) => unit.refused(&refusal(&faults), &mut lines),
@@ -65,7 +66,14 @@ pub(super) fn estimate(study: &StudyInput, plan: &Plan, unit: (usize, u32)) -> R
     let longest = plan.records.iter().max_by_key(|record| record.samples);
     let (Some(id), Some(longest)) = (study.engine, longest) else { return Ok(None) };
     let Ok(tank) = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1) else { return Ok(None) };
-    let of = Unit { study, plan, id: &plan.tanks[unit.0].id, sample: unit.1, records: &BTreeMap::new() };
+    let of = Unit {
+        study,
+        plan,
+        id: &plan.tanks[unit.0].id,
+        sample: unit.1,
+        records: &BTreeMap::new(),
+        solid: RefCell::default(),
+    };
     let mut job = of.job(&tank)?;
     job.case.ground_motion = Some(GroundMotion {
         horizontal: Record {
@@ -108,7 +116,14 @@ pub(super) fn single(
     unchanged(plan, &[(unit, of_sample(&found))].into(), &[(record, key::of_shaking(&raw))].into())?;
     let tank = found.map_err(|faults| Error::Files(faults.into_error(&study.source)))?;
     let shaking = raw.processed(&tank.record)?;
-    let of = Unit { study, plan, id: &plan.tanks[unit.0].id, sample: unit.1, records: &BTreeMap::new() };
+    let of = Unit {
+        study,
+        plan,
+        id: &plan.tanks[unit.0].id,
+        sample: unit.1,
+        records: &BTreeMap::new(),
+        solid: RefCell::default(),
+    };
     let mut job = of.job(&tank)?;
     job.case.ground_motion = Some(motion(&shaking, factor));
     job.linear = tank.fe.clone();
@@ -127,6 +142,8 @@ struct Unit<'a> {
     id: &'a str,
     sample: u32,
     records: &'a BTreeMap<usize, Shaking>,
+    /// Its model in three dimensions, for records that shake along y or upwards or do not.
+    solid: RefCell<Option<([bool; 2], solid::Shared)>>,
 }
 
 /// The scales of one record: level and factor.

@@ -29,6 +29,7 @@ pub(crate) mod roof;
 mod rows;
 mod run;
 mod search;
+mod shared;
 pub mod spectrum;
 mod symmetry;
 pub mod system;
@@ -42,6 +43,7 @@ pub use modes::{modes, most_waves};
 pub(crate) use run::around_a_perfect_liquid;
 pub(crate) use run::unresolved;
 pub use run::{respond, simulate, tilted};
+pub use shared::Shared;
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};
 
 #[cfg(test)]

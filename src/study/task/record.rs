@@ -8,6 +8,7 @@ use codes::time_history::Ready;
 use fem::progress::Silent;
 use files::code::Code;
 use tank::assessment::Excitation;
+use tank::case::GroundMotion;
 use tank::demand::{Demands, Footing};
 
 use super::values::{checks_of, gaps_of, put, values_of};
@@ -18,7 +19,7 @@ use crate::input::study::Shaking;
 use crate::job::Job;
 use crate::pipeline;
 use crate::study::rows::{Line, Row, RowStatus, kept, plain};
-use engines::{FeError, Prepared, Response, engine};
+use engines::{FeError, Prepared, Response, Simulation, engine, solid};
 use results::nonlinear::End;
 use results::{EngineId, FE};
 
@@ -149,7 +150,10 @@ impl Unit<'_> {
         if let Some(refusal) = refusal {
             return Err(Error::Fe(FeError::Unsupported(refusal.message)));
         }
-        let simulation = engine(id).run(&task, &Silent)?;
+        let simulation = match (id, &job.case.ground_motion) {
+            (EngineId::Solid, Some(motion)) => self.in_three_dimensions(job, motion)?,
+            _ => engine(id).run(&task, &Silent)?,
+        };
         match &simulation.result.end {
             End::Collapsed { time, reason, .. } => {
                 (row.status, row.time) = (RowStatus::Collapsed, Some(kept(*time)));
@@ -161,5 +165,16 @@ impl Unit<'_> {
             End::Completed => {}
         }
         Ok(Response::of(simulation))
+    }
+
+    /// The run of the three-dimensional engine, whose model serves all records with the same components.
+    fn in_three_dimensions(&self, job: &Job, motion: &GroundMotion) -> Result<Simulation, FeError> {
+        let components = [motion.transverse.is_some(), motion.vertical.is_some()];
+        let mut kept = self.solid.borrow_mut();
+        let (_, model) = match kept.take_if(|(of, _)| *of == components) {
+            Some(found) => kept.insert(found),
+            None => kept.insert((components, solid::Shared::new(&job.case, &job.linear, &job.solid, &Silent)?)),
+        };
+        model.respond(&job.case, &job.linear, &Silent)
     }
 }

@@ -4,11 +4,9 @@ use std::collections::BTreeMap;
 
 use fem::progress::Progress;
 use tank::Case;
-use tank::Shape;
 use tank::case::GroundMotion;
 
-use super::direct::OwnUnknowns;
-use super::exchanged::{TWO_DIRECTIONS, exchanged};
+use super::coupling;
 use super::fields;
 use super::instants::{asked, extreme_moments};
 use super::mesh::Division;
@@ -16,40 +14,26 @@ use super::model::{self, TankModel};
 use super::moments::Histories;
 use super::poles::{VECTORS, poles};
 use super::reduce::{self, Space};
+use super::shared::Shared;
 use super::spectrum::{self, TankMode};
 use super::system::System;
-use super::{around, coupling};
 use crate::checks::check_options;
-use crate::checks::checked_motion;
 use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::engine::Task;
-use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Model, shaken_upwards};
 use crate::linear::soil::{self, Slab};
 use crate::linear::system::Harmonic;
+use crate::linear::tilt;
 use crate::linear::units;
-use crate::linear::{Across, Extent, Linear, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::{Channel, EngineId, Part};
 use tank::options::LinearOptions as Options;
-use tank::options::linear::Integrator;
 use tank::options::solid::{Liquid, SolidOptions};
 use tank::refusal::Refusal;
 
-/// Notes on an imperfect wall.
-const IMPERFECT: [&str; 2] = [
-    "The wall is imperfect (analysis.imperfections): stresses, pressures and displacements over the height are those at θ = 0; the \
-     response by waves around the tank and the stress around the base are listed apart.",
-    "The wave height counts the first sloshing modes of the perfect tank; waves of other harmonics, to which the imperfections couple \
-     them, are not in it.",
-];
-/// Assumption of a wall about its loaded state.
-const LOADED: &str = "The wall moves about its state under weight and liquid, in large rotations with a pressure that turns with the \
-    wall: its forces stiffen the wall, and the pressure has pressed its imperfections out as far as it does. A particle of the wall keeps \
-    its pressure.";
 /// Ritz vectors of the search for one mode to be drawn.
 const DRAWN_VECTORS: usize = 32;
 /// The same in one part of the motions of a rectangle.
@@ -60,17 +44,17 @@ const DRAWN_PARTS: [u32; 2] = [2, 0];
 const DRAWN_WAVES: [u32; 3] = [2, 3, 5];
 
 /// A tank with its reductions and their modes.
-struct Prepared {
-    tank: TankModel,
-    system: System,
+pub(super) struct Prepared {
+    pub(super) tank: TankModel,
+    pub(super) system: System,
     /// Maps from the reduced coordinates to the model, by direction.
-    spaces: Vec<Space>,
+    pub(super) spaces: Vec<Space>,
     /// The model of the response analyses: the reductions for x and, with a vertical record, for z.
-    model: Model,
+    pub(super) model: Model,
 }
 
 impl Prepared {
-    fn new(
+    pub(super) fn new(
         case: &Case,
         options: &Options,
         solid: &SolidOptions,
@@ -179,7 +163,7 @@ impl Prepared {
     }
 
     /// Pictures of a run.
-    fn pictures(
+    pub(super) fn pictures(
         &self,
         motion: &GroundMotion,
         options: &Options,
@@ -272,31 +256,9 @@ pub fn simulate(
     if case.ground_motion.is_none() && case.site.is_given() {
         return without_record(case, options, solid, progress);
     }
-    let motion = checked_motion(case)?;
-    let vertical = motion.vertical.is_some();
-    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    let (prepared, mut simulation) = integrated(case, options, solid, progress)?;
-    let coarser = SecondMesh::coarser(options).filter(|_| solid.mesh.is_none() && !progress.interrupted());
-    let second = match coarser {
-        Some(SecondMesh { options, ratio }) => {
-            let coarse = Prepared::new(case, &options, solid, vertical, progress)?.model;
-            let limit = mesh_error::extrapolated(&prepared.model, &coarse, ratio);
-            Some(Second {
-                ratio,
-                values: analyse(&coarse, motion, &options, progress)?.values(&coarse, round),
-                wave: analyse(&limit, motion, &options, progress)?.wave(),
-                units: None,
-            })
-        }
-        None => None,
-    };
-    let felt = simulation.slab_motion.clone();
-    prepared.pictures(felt.as_ref().unwrap_or(motion), options, solid, &mut simulation, progress)?;
-    if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
-        simulation.result.parts.push(tilted(case, angle, options, solid, progress)?);
-    }
-    simulation.result.incomplete |= progress.interrupted();
-    mesh_error::note(&mut simulation, second.as_ref(), options);
+    let shared = Shared::new(case, options, solid, progress)?;
+    let mut simulation = shared.respond(case, options, progress)?;
+    shared.finish((case, options, solid), &mut simulation, progress)?;
     Ok(simulation)
 }
 
@@ -370,88 +332,7 @@ pub fn respond(
     solid: &SolidOptions,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
-    integrated(case, options, solid, progress).map(|(_, simulation)| simulation)
-}
-
-/// The model and its response.
-fn integrated(
-    case: &Case,
-    options: &Options,
-    solid: &SolidOptions,
-    progress: &dyn Progress,
-) -> Result<(Prepared, Simulation), FeError> {
-    let vertical = checked_motion(case)?.vertical.is_some();
-    check_options(case, options)?;
-    // Along y first: of its matrices nothing stays but the reduced model.
-    let across = match exchanged(case, solid) {
-        Some((case, solid, halves)) => Some((Prepared::new(&case, options, &solid, false, progress)?.model, halves)),
-        None => None,
-    };
-    let prepared = Prepared::new(case, options, solid, vertical, progress)?;
-    let direct = OwnUnknowns {
-        tank: &prepared.tank,
-        system: &prepared.system,
-        model: &prepared.model,
-        space: &prepared.spaces[0],
-    };
-    let moves = prepared.model.fixed.is_some() || case.tank.isolators.is_some();
-    let linear = Linear {
-        engine: EngineId::Solid,
-        model: &prepared.model,
-        // All unknowns of the mesh are those of a tank on rigid ground.
-        direct: (!moves).then_some(&direct),
-        across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
-        states: None,
-        extent: Extent::Whole,
-        known: None,
-    };
-    let mut simulation = complete(case, options, &linear, progress)?;
-    simulation.assumptions.push(
-        "Three dimensions: four-node shells and eight-node liquid elements, reduced to the space that the ground motion \
-         excites."
-            .into(),
-    );
-    if across.is_some() {
-        simulation.assumptions.push(TWO_DIRECTIONS.into());
-    }
-    if let Shape::Rectangle { .. } = case.tank.shape {
-        simulation.assumptions.push(
-            "The four walls are plates in the planes of the inner faces, clamped at the base, free at the top and joined rigidly at the \
-             corners."
-                .into(),
-        );
-        if case.tank.roof.mass > 0.0 {
-            simulation.notes.push(
-                "The roof is a mass along the top edges of the walls; its stiffness, which would hold the edges, is not modelled."
-                    .into(),
-            );
-        }
-    }
-    let felt = simulation.slab_motion.clone();
-    let found = around::respond(
-        case,
-        &prepared.tank.imperfections,
-        (&prepared.model, &prepared.spaces),
-        felt.as_ref().map_or_else(|| checked_motion(case), Ok)?,
-        options,
-        progress,
-    )?;
-    if let Some(around) = found {
-        simulation.result.limits.extend(around::limits(case, &around));
-        simulation.notes.extend(IMPERFECT.map(str::to_owned));
-        simulation.result.around = Some(around);
-    }
-    if prepared.tank.loaded.is_some() {
-        simulation.assumptions.push(LOADED.into());
-    }
-    if options.integrator == Integrator::Newmark {
-        simulation.notes.push(
-            "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \
-             superposition, also where the histories are integrated directly."
-                .into(),
-        );
-    }
-    Ok((prepared, simulation))
+    Shared::new(case, options, solid, progress)?.respond(case, options, progress)
 }
 
 /// The response around an imperfect wall on the liquid of the perfect tank, as the nonlinear engine has it.
@@ -468,7 +349,7 @@ pub(crate) fn around_a_perfect_liquid(
     let tank = TankModel::formed(case, options, solid, &form)?;
     let prepared = Prepared::of(tank, case, options, solid, false, progress)?;
     let parts = (&prepared.model, &prepared.spaces[..]);
-    around::respond(case, &solid.imperfections, parts, checked_motion(case)?, options, progress)
+    super::around::respond(case, &solid.imperfections, parts, crate::checks::checked_motion(case)?, options, progress)
 }
 
 /// The refusal of imperfections, if there is one.

@@ -15,7 +15,7 @@ use tank::options::solid::{MeshSize, SolidOptions};
 use super::model::TankModel;
 use super::poles::poles;
 use super::system::System;
-use super::{coupling, reduce, respond, spectrum};
+use super::{Shared, coupling, reduce, respond, spectrum};
 use crate::Simulation;
 use crate::modes::{Kind, solve};
 use crate::solid::symmetry::Harmonic;
@@ -69,6 +69,21 @@ fn an_amplitude_of_zero_is_the_perfect_tank() {
     assert_eq!(zero.values, none.values);
     assert_eq!(zero.series, none.series);
     assert!(zero.result.around.is_none());
+}
+
+/// The same bits under each record, one after the other, as from a model of its own.
+#[test]
+fn one_model_serves_all_records() {
+    let (options, solid) = (options(), SolidOptions { imperfections: Imperfections::NONE, ..solid(0.0, 0.0) });
+    let shared = Shared::new(&case(), &options, &solid, &Silent).unwrap();
+    for factor in [1.0, -0.3] {
+        let mut case = case();
+        let motion = case.ground_motion.as_mut().unwrap();
+        motion.horizontal.acceleration.iter_mut().for_each(|a| *a *= factor);
+        let [one, own] = [shared.respond(&case, &options, &Silent), respond(&case, &options, &solid, &Silent)];
+        let (one, own) = (one.unwrap(), own.unwrap());
+        assert_eq!((one.values, one.series, one.result), (own.values, own.series, own.result));
+    }
 }
 
 /// n = 3 is coupled to 2 and 4, in proportion to its amplitude; n = 1 and the wave change in the second order, n = 5 answers in it. Of
