@@ -30,12 +30,13 @@ fn decimal(x: f64, digits: usize) -> Option<(u64, i32)> {
         e += 1;
         m = shifted(x, last - e)?;
     }
-    let whole = m.floor();
-    if !(low..high).contains(&m) || (m - whole - 0.5).abs() < UNDECIDED {
+    let whole = m as u64;
+    let rest = m - whole as f64;
+    if !(low..high).contains(&m) || (rest - 0.5).abs() < UNDECIDED {
         return None;
     }
-    let rounded = if m - whole > 0.5 { whole + 1.0 } else { whole };
-    Some(if rounded == high { (low as u64, e + 1) } else { (rounded as u64, e) })
+    let rounded = whole + u64::from(rest > 0.5);
+    Some(if rounded == high as u64 { (low as u64, e + 1) } else { (rounded, e) })
 }
 
 /// `x` rounded to at most twelve significant digits: the double next to the decimal number.

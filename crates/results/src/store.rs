@@ -98,7 +98,10 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
     }
     let fault = |what: String| Error::File { code: Code::NotResults, path: path.clone(), what };
     let damaged = |e: std::io::Error| fault(e.to_string());
-    let mut reader = BufReader::with_capacity(GATHERED, files::open(&path).map_err(damaged)?);
+    let open = || files::open(&path).map(|file| BufReader::with_capacity(GATHERED, file));
+    // Columns that grow side by side leave holes as large as they are.
+    let [rows, bytes] = open().and_then(extent).map_err(damaged)?;
+    let mut reader = open().map_err(damaged)?;
     let mut line = String::new();
     reader.read_line(&mut line).map_err(damaged)?;
     // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
@@ -108,7 +111,9 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         return Err(fault(format!("first column is `{first}`, expected `time_s`")));
     }
     let ids: Vec<String> = heads.map(|head| id_of(head).to_owned()).collect();
-    let mut series = Series { time: Vec::new(), columns: vec![Vec::new(); ids.len()], ids };
+    // A cell takes two bytes at least.
+    let column = || Vec::with_capacity(rows.min(bytes / (2 * ids.len() + 2)));
+    let mut series = Series { time: column(), columns: ids.iter().map(|_| column()).collect(), ids };
     for number in 2.. {
         line.clear();
         if reader.read_line(&mut line).map_err(damaged)? == 0 {
@@ -118,17 +123,33 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         if line.is_empty() {
             continue;
         }
-        let (found, expected) = (line.split(',').count(), series.ids.len() + 1);
-        if found != expected {
-            return Err(fault(format!("line {number}: found {found} columns, expected {expected}")));
+        let expected = series.ids.len() + 1;
+        let uneven = || fault(format!("line {number}: found {} columns, expected {expected}", line.split(',').count()));
+        let mut cells = line.split(',');
+        for column in std::iter::once(&mut series.time).chain(&mut series.columns) {
+            let text = cells.next().ok_or_else(uneven)?;
+            column.push(text.parse().map_err(|_| fault(format!("line {number}: `{text}` is not a number")))?);
         }
-        let columns = std::iter::once(&mut series.time).chain(&mut series.columns);
-        for (column, text) in columns.zip(line.split(',')) {
-            let value = text.parse().map_err(|_| fault(format!("line {number}: `{text}` is not a number")))?;
-            column.push(value);
+        if cells.next().is_some() {
+            return Err(uneven());
         }
     }
     Ok(series)
+}
+
+/// Numbers of lines and of bytes.
+fn extent(mut reader: impl BufRead) -> std::io::Result<[usize; 2]> {
+    let (mut lines, mut bytes) = (0, 0);
+    loop {
+        let part = reader.fill_buf()?;
+        if part.is_empty() {
+            return Ok([lines, bytes]);
+        }
+        lines += part.iter().filter(|byte| **byte == b'\n').count();
+        let read = part.len();
+        bytes += read;
+        reader.consume(read);
+    }
 }
 
 /// A line without its end.
@@ -288,6 +309,25 @@ mod tests {
         assert_eq!(head("base_shear", &units), "base_shear [N]");
         assert_eq!((head("open_share", &units), head("other", &units)), ("open_share".into(), "other".into()));
         assert_eq!((id_of("base_shear [N]"), id_of("base_shear")), ("base_shear", "base_shear"));
+    }
+
+    #[test]
+    fn uneven_lines_and_words_are_refused_with_their_line() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let read = |text: &str| {
+            std::fs::write(folder.path().join(SERIES_FILE), text).expect("writable");
+            read_series(folder.path()).map_err(|e| e.to_string())
+        };
+        for (line, what) in [
+            ("0.5,3", "line 3: found 2 columns, expected 3"),
+            ("0.5,3,4,5", "line 3: found 4 columns, expected 3"),
+            ("0.5,x,4", "line 3: `x` is not a number"),
+        ] {
+            let found = read(&format!("time_s,a,b\n0,1,2\n{line}\n")).expect_err(what);
+            assert!(found.contains(what), "{found}");
+        }
+        assert_eq!(read("time_s,a\r\n0,1\r\n\r\n1,NaN").expect("readable").time, [0.0, 1.0]);
+        assert!(read("a,b\n").expect_err("another table").contains("expected `time_s`"));
     }
 
     /// A quotation mark is part of its column's name; the lines after it are still read.
