@@ -84,6 +84,13 @@ pub struct Report {
 ///
 /// Errors: results that cannot be read, or of which parts were not computed; a template that cannot be rendered.
 pub fn of_folder(folder: &Path, templates: Option<&Path>, level: Level) -> Result<Report, Error> {
+    build(&whole(folder)?, &results::read_series(folder)?, &Templates::new(templates)?, level)
+}
+
+/// The results in a folder.
+///
+/// Errors: results that cannot be read, or of which parts were not computed.
+fn whole(folder: &Path) -> Result<Results, Error> {
     let results = results::read(folder)?;
     if !results.not_computed.is_empty() {
         return Err(Error::File {
@@ -95,8 +102,7 @@ pub fn of_folder(folder: &Path, templates: Option<&Path>, level: Level) -> Resul
             ),
         });
     }
-    let series = results::read_series(folder)?;
-    build(&results, &series, &Templates::new(templates)?, level)
+    Ok(results)
 }
 
 /// Renders the report of a folder of results into the same folder; returns the path of the report.
@@ -104,6 +110,14 @@ pub fn of_folder(folder: &Path, templates: Option<&Path>, level: Level) -> Resul
 /// Errors: as [`of_folder`]; a file that cannot be written.
 pub fn render(folder: &Path, templates: Option<&Path>, level: Level) -> Result<PathBuf, Error> {
     of_folder(folder, templates, level)?.write(folder)
+}
+
+/// The same of a run that has just written the folder, whose histories are at hand as the file keeps them
+/// ([`Series::as_written`]): reading them again takes time and room.
+///
+/// Errors: as [`render`].
+pub fn render_run(folder: &Path, series: &Series, templates: Option<&Path>, level: Level) -> Result<PathBuf, Error> {
+    build(&whole(folder)?, series, &Templates::new(templates)?, level)?.write(folder)
 }
 
 impl Report {

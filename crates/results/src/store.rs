@@ -210,10 +210,23 @@ fn id_of(head: &str) -> &str {
     head.split_once(" [").map_or(head, |(id, _)| id)
 }
 
+/// Significant digits in `series.csv`: of times, and of all else.
+const DIGITS_OF_SERIES: [usize; 2] = [9, 7];
+
+impl Series {
+    /// The histories as [`read_series`] finds them in the file.
+    pub fn as_written(mut self) -> Series {
+        let [of_time, of_columns] = DIGITS_OF_SERIES;
+        self.time.iter_mut().for_each(|t| *t = rounded(*t, of_time));
+        self.columns.iter_mut().flatten().for_each(|x| *x = rounded(*x, of_columns));
+        self
+    }
+}
+
 /// Bytes of `series.csv` that are written or read at once.
 const GATHERED: usize = 1 << 20;
 
-/// Writes `series.csv`; 7 significant digits.
+/// Writes `series.csv`.
 ///
 /// * `units`: symbols of units by id
 fn write_series(
@@ -221,6 +234,7 @@ fn write_series(
     series: &Series,
     units: &BTreeMap<String, &'static str>,
 ) -> std::io::Result<()> {
+    let [of_time, of_columns] = DIGITS_OF_SERIES;
     let mut text = b"time_s".to_vec();
     for id in &series.ids {
         text.push(b',');
@@ -228,10 +242,10 @@ fn write_series(
     }
     text.push(b'\n');
     for (i, t) in series.time.iter().enumerate() {
-        write!(text, "{}", rounded(*t, 9))?;
+        write!(text, "{}", rounded(*t, of_time))?;
         for column in &series.columns {
             text.push(b',');
-            digits::append(&mut text, column[i], 7);
+            digits::append(&mut text, column[i], of_columns);
         }
         text.push(b'\n');
         if text.len() >= GATHERED {
@@ -309,6 +323,17 @@ mod tests {
         assert_eq!(head("base_shear", &units), "base_shear [N]");
         assert_eq!((head("open_share", &units), head("other", &units)), ("open_share".into(), "other".into()));
         assert_eq!((id_of("base_shear [N]"), id_of("base_shear")), ("base_shear", "base_shear"));
+    }
+
+    #[test]
+    fn histories_as_written_are_those_that_are_read() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let values = [0.0, -0.0, 1.0 / 3.0, -2e9 / 7.0, 9.99999951e-7, 1e-320, 4.2e300, f64::INFINITY];
+        let time = (0..values.len()).map(|i| i as f64 / 300.0).collect();
+        let series = Series { time, ids: vec!["a".into()], columns: vec![values.to_vec()] };
+        let file = std::fs::File::create(folder.path().join(SERIES_FILE)).expect("writable");
+        write_series(&file, &series, &BTreeMap::new()).expect("written");
+        assert_eq!(read_series(folder.path()).expect("readable"), series.as_written());
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
 use files::code::{Code, Warning};
 use report;
-use results::{self, Series, scene, vtu};
+use results::{self, scene, vtu};
 
 /// Where a run writes.
 pub(super) struct Folders {
@@ -45,10 +45,9 @@ impl Folders {
         }
         let Outcome { results, series, snapshots } = outcome;
         results::write(&self.out.path(), results, series)?;
-        // The report reads its own: long histories are not in the memory twice.
-        *series = Series::default();
         if !args.no_report {
-            report::render(&self.out.path(), args.templates.as_deref(), args.level.level())?;
+            let series = std::mem::take(series).as_written();
+            report::render_run(&self.out.path(), &series, args.templates.as_deref(), args.level.level())?;
         }
         if let Some((engine, snapshots)) = snapshots {
             if args.scene {
