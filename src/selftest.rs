@@ -8,11 +8,14 @@ use std::sync::Arc;
 
 use base::{Bands, Lifted, Plan, Plate, Rim, Strip, closed};
 use codes::Procedure;
+use codes::aci350::Aci3502006;
 use codes::api650::{edition1993::Api6501993, edition2020::Api6502020};
 use codes::ec8::{En2006, Env1998};
 use codes::en1992::crack::{LASTING, width};
 use codes::en1992::section::{Bars, Section};
 use codes::housner::Housner;
+use codes::is1893::Is18932014;
+use codes::national::National;
 use engines::solid::{MeshSize, SolidOptions};
 use engines::{Options, Task};
 use fem::analysis::scheme::TimeScheme;
@@ -102,6 +105,14 @@ pub const ROWS: &[Row] = rows! {
     "api650-1993", "overturning moment": 40.445 "MN m" within 1.3e-5 of EXAMPLE => || line(&Api6501993, "M", 1e-6);
     "api650-2020", "ringwall moment": 43_696.6 "kN m" within 1.2e-6 of EXAMPLE => || line(&Api6502020, "M_rw", 1e-3);
     "api650-2020", "hoop stress of the lowest course": 141.10 "MPa" within 3.6e-5 of EXAMPLE => || line(&Api6502020, "σ_T", 1e-6);
+    "aci350-2006", "impulsive period of a box": 0.0846 "s" within 6e-4 of "control values, by an independent script" => || {
+            of_box(ACI_BOX, &Aci3502006, "T_i")
+        };
+    "is1893-2014", "convective coefficient of a box":
+        0.04725 "g" within 1.1e-4 of "published calculation, scribd 549280385" => || of_box(IS_BOX, &Is18932014, "A_c");
+    "national", "impulsive coefficient of a box": 0.375 "g" within 1e-9 of "0.75 g/2, by hand" => || {
+            of_box(IS_BOX, &National, "A_i")
+        };
     "en1992", "stress of the bars of a cracked section, 50 kNm/m on 25 cm":
         269.564_832 "MPa" within 1e-8 of "M/(A (d − x/3)), x by the quadratic" => cracked_section;
     "oscillator", "sudden load on an undamped oscillator, after half a period":
@@ -203,6 +214,41 @@ const ALUMINIUM_TANK: &str = r#"{
   "damping": { "sloshing": 0.01, "impulsive": 0.01 },
   "site": { "ec8": { "ground": "A", "spectrum": 1, "ag": "4.905 m/s2", "importance": 1.0 } }
 }"#;
+
+/// The box of the control values of ACI 350.3-06.
+const ACI_BOX: &str = r#"{
+  "name": "control values",
+  "tank": {
+    "shape": "rectangle", "length": "18 m", "breadth": "9 m", "support": "anchored", "roof": "none",
+    "courses": [{ "height": "4.5 m", "thickness": "40 cm", "material": "concrete" }]
+  },
+  "liquid": { "density": "1000.342 kg/m3", "fill_height": "4 m" },
+  "materials": { "concrete": { "family": "concrete", "youngs_modulus": "24.87 GPa", "poisson_ratio": 0.2, "density": "2447.32 kg/m3" } },
+  "site": { "api650": { "ss": 0.90, "s1": 0.40, "site_class": "D", "sug": 2, "tl": 8.0 } }
+}"#;
+
+/// The box of a published calculation by IITK-GSDMA, and a spectrum by hand.
+const IS_BOX: &str = r#"{
+  "name": "published calculation", "gravity": "9.81 m/s2",
+  "tank": {
+    "shape": "rectangle", "length": "9.9 m", "breadth": "3.3 m", "support": "anchored", "roof": "none",
+    "courses": [{ "height": "3.3 m", "thickness": "30 cm", "material": "concrete" }]
+  },
+  "liquid": { "density": "1000 kg/m3", "fill_height": "3 m" },
+  "materials": { "concrete": { "family": "concrete", "youngs_modulus": "27.38613 GPa", "poisson_ratio": 0.2, "density": "2500 kg/m3" } },
+  "site": {
+    "is1893": { "zone": "V", "soil": "hard", "importance": 1.5, "response_reduction": 2.5 },
+    "spectrum": { "table": [[0, 7.3575], [0.6, 7.3575], [10, 0.5]], "unit": "m/s2", "damping": "5 %" },
+    "national": { "code": "by hand", "impulsive_reduction": 2.0 }
+  }
+}"#;
+
+/// The last line with this symbol in the sheet of a box.
+fn of_box(text: &str, procedure: &dyn Procedure, symbol: &str) -> Answer {
+    let sheet = procedure.assess(&read(text)?, Excitation::Site)?;
+    let line = sheet.steps.iter().rev().find(|step| step.symbol == symbol);
+    Ok(line.ok_or("no such line")?.value)
+}
 
 /// The case of a tank file.
 fn read(text: &str) -> Result<Case, Box<dyn Error>> {
