@@ -35,7 +35,7 @@ pub(crate) struct Inputs {
     pub vertical: Vec<PathBuf>,
     #[command(flatten)]
     pub reading: Reading,
-    /// Procedures to run, separated by commas [default: all].
+    /// Procedures to run, separated by commas [default: all; `aci350-2006` where it is named, `is1893-2014` and `national` where the site has their data].
     #[arg(long, value_delimiter = ',', value_name = "ID")]
     pub procedures: Option<Vec<String>>,
     /// Accept only these gaps of `accepted` in the tank file [default: all]: `not-checked=ID,ID`.

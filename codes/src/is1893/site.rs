@@ -57,7 +57,9 @@ fn reduction(site: &Is1893Site, case: &Case) -> Result<(f64, &'static str), Code
         (true, false) => Ok((2.0, REDUCTION)),
         (false, true) if flexible => Err(CodeError::Data {
             clause: "IS 1893-2:2014 table 2".into(),
-            reason: "`site.is1893.response_reduction` is missing: 2.5 and 3.5 are both in use for an anchored flexible base of concrete".into(),
+            reason: "`site.is1893.response_reduction` is missing: this program knows 2.5 and 3.5 from memory for an anchored flexible \
+                     base of concrete, and neither is confirmed"
+                .into(),
         }),
         (false, true) => Ok((2.0, REDUCTION)),
         (false, false) => Ok((1.5, REDUCTION)),
