@@ -346,7 +346,7 @@ fn a_record_that_overturns_the_tank() {
     assert!(bare.contains(held) && !bare.contains("scale_to"));
     fs::write(path("tank.json"), bare).unwrap();
     let record = fs::read_to_string(record(1)).unwrap();
-    for (name, factor) in [("weak.csv", 0.4), ("violent.csv", 4.0), ("still.csv", 0.01)] {
+    for (name, factor) in [("weak.csv", 0.4), ("violent.csv", 8.0), ("still.csv", 0.01)] {
         let scaled: Vec<String> = (record.lines().enumerate())
             .map(|(i, line)| match line.split_once(',') {
                 Some((time, a)) if i > 0 => format!("{time},{}", factor * a.parse::<f64>().unwrap()),

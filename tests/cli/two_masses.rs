@@ -114,3 +114,16 @@ fn refusals() {
         }
     }
 }
+
+/// Where nothing can run the reason of each procedure stands before the verdict.
+#[test]
+fn a_procedure_that_does_not_run_says_why() {
+    let home = tempfile::tempdir().unwrap();
+    let path = home.path().join("tank.json");
+    let site = json!({ "is1893": { "zone": "IV", "soil": "medium" } });
+    std::fs::write(&path, tank(&site, &json!({ "run": ["aci350-2006"], "decide": ["aci350-2006"] }))).unwrap();
+    let output = crate::compare::tankcheck(&["check", path.to_str().unwrap()]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(4), "{text}");
+    assert!(text.contains("aci350-2006: not applicable") && text.contains("`site.api650` is not given"), "{text}");
+}

@@ -20,8 +20,10 @@ use crate::cli::{checks, style};
 pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     let shown = |m: &Method| m.excitation == excitation && !m.quantities.is_empty();
     let columns: Vec<usize> = results.methods.iter().enumerate().filter(|(_, m)| shown(m)).map(|(i, _)| i).collect();
+    let outside = results.methods.iter().filter(|m| m.excitation == excitation).filter_map(terminal::not_applicable);
     if columns.is_empty() {
-        return String::new();
+        let lines: Vec<String> = outside.map(|line| line + "\n").collect();
+        return if lines.is_empty() { String::new() } else { lines.concat() + "\n" };
     }
     let fe_here = columns.iter().any(|&i| results.methods[i].id == results::FE);
     let head = std::iter::once(terminal::corner(excitation, results.reference().is_some(), fe_here))
@@ -66,10 +68,8 @@ pub(super) fn table(results: &Results, excitation: Excitation) -> String {
     if let Some(later) = later_peaks {
         let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
     }
-    for method in results.methods.iter().filter(|m| m.excitation == excitation) {
-        if let Some(line) = terminal::not_applicable(method) {
-            let _ = writeln!(text, "{line}");
-        }
+    for line in outside {
+        let _ = writeln!(text, "{line}");
     }
     // A blank line separates the table from what follows; the notes under a table end without one.
     if !text.ends_with("\n\n") {

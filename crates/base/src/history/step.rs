@@ -207,7 +207,7 @@ pub(super) fn resist(
     (psi, pressure): (f64, f64),
 ) -> Result<Response, BaseError> {
     let strips = match (run.waves, &state.ovals) {
-        (Some(waves), Some(ovals)) => {
+        (Some(waves), Some(ovals)) if psi.abs() <= law.largest() => {
             let loops = law.loops(psi, law.curve(psi, pressure), run.hysteretic, &state.springs);
             waves.response(ovals, (psi, pressure))?.and(loops)
         }
@@ -231,6 +231,8 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) -> R
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
     if let Some(law) = run.law {
         let mut moment = resist(run, law, state, (state.psi[0], state.pressure))?.moment;
+        // Beyond its law a run counts no more but for how far it turns.
+        state.ovals = state.ovals.take().filter(|_| state.psi[0].abs() <= law.largest());
         if let (Some(waves), Some(ovals)) = (run.waves, &mut state.ovals) {
             waves.end(ovals, state.pressure, h);
         }
