@@ -321,7 +321,7 @@ fn terms(ratio: f64) -> impl Iterator<Item = (f64, f64)> {
 fn ovalling(order: usize, radius: f64, depth: f64) -> f64 {
     let term = |k: usize| {
         let alpha = (2.0 * k as f64 + 1.0) * PI / (2.0 * depth);
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let lever = sign * depth / alpha - 1.0 / (alpha * alpha);
         2.0 / depth * lever * lever * bessel(order, alpha * radius) / alpha
     };
