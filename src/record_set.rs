@@ -162,7 +162,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     let model = match set.job.engines.first() {
         Some(EngineId::Harmonic) => {
             progress.stage("wall, liquid and modes", 1);
-            Some(Model::Harmonic(Shared::new(&case, &set.job.linear, &motions)?))
+            Some(Model::Harmonic(Box::new(Shared::new(&case, &set.job.linear, &motions)?)))
         }
         Some(EngineId::Solid) => {
             let job = under(&set, 0);
@@ -231,7 +231,7 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
 
 /// The model of a tank, which serves all records.
 enum Model {
-    Harmonic(Shared),
+    Harmonic(Box<Shared>),
     Solid(Box<solid::Shared>),
 }
 
