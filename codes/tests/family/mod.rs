@@ -42,7 +42,7 @@ fn of_concrete(mut case: Case, number: usize) -> Case {
         importance: 1.5,
         response_reduction: [None, Some(2.5)][number % 2],
     });
-    if number % 4 == 0 {
+    if number.is_multiple_of(4) {
         let parameters = SpectrumParameters { ag: 2.0, soil: 1.2, corners: [0.15, 0.5, 2.0], long_corners: None };
         case.site.spectrum = Some(SiteSpectrum { form: SpectrumForm::Parameters(parameters), vertical_ratio: 0.7 });
         case.site.national = Some(NationalSite {
