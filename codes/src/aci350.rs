@@ -1,4 +1,4 @@
-//! ACI 350.3-06, seismic design of liquid-containing concrete structures (`aci350-2006`): the chain of [`crate::two_mass`] with
+//! ACI 350.3-06, seismic design of liquid-containing concrete structures (`aci350-2006`): the chain of `codes::two_mass` with
 //!
 //! ```text
 //! ε    = min(1, 0.0151 r² − 0.1908 r + 1.021)

@@ -1,10 +1,10 @@
-//! IS 1893-2:2014 and the IITK-GSDMA guidelines of 2007, ground-supported tanks (`is1893-2014`): the chain of [`crate::two_mass`] with
+//! IS 1893-2:2014 and the IITK-GSDMA guidelines of 2007, ground-supported tanks (`is1893-2014`): the chain of `codes::two_mass` with
 //!
 //! ```text
 //! A_i = Z/2 I/R k_i S_a(T_i)/g      A_c = Z/2 I/R k_c S_a(T_c)/g      A_w = R A_c      A_v = 2/3 Z/2 I/R 2.5
 //! S_a/g   hard 1/T, medium 1.36/T, soft 1.67/T, at most 2.5; 0.25, 0.34, 0.42 beyond 4 s
 //! k       1.40 at 2 % (steel), 1.0 at 5 % (concrete), 1.75 at 0.5 % (sloshing)
-//! p_i     0.866 [1 − (y/H)²] tanh(0.866 r), the other pressures as [`crate::two_mass::pressure`] has them
+//! p_i     0.866 [1 − (y/H)²] tanh(0.866 r), the other pressures as `two_mass::pressure` has them
 //! ```
 //!
 //! The guideline has the plateau of S_a/g from T = 0 on; the rising branch up to 0.1 s of part 1 is not used, on the safe side.

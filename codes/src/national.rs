@@ -1,4 +1,4 @@
-//! The data of a national code on the chain of [`crate::two_mass`] (`national`): spectrum, importance and reduction factors are the user's, so
+//! The data of a national code on the chain of `codes::two_mass` (`national`): spectrum, importance and reduction factors are the user's, so
 //! that NCh 2369, NTC, RPA, the Turkish code and others need no code here.
 //!
 //! ```text
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! S_a is `site.spectrum` at the damping of its table; k is the given factor, or η of EN 1998-1 from that damping to the case's damping of
-//! sloshing, as [`crate::hazard`] describes. Periods are those of [`crate::two_mass::periods`], pressures are straight lines.
+//! sloshing, as [`crate::hazard`] describes. Periods are those of `two_mass::periods`, pressures are straight lines.
 
 #[cfg(test)]
 mod tests;
