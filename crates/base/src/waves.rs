@@ -8,7 +8,8 @@
 //! a_n are the waves of a wall that ovals, U_n those of its foot, H_n the membrane between them ([`crate::Warping`]). A motion that is short beside the
 //! periods of the waves leaves the wall round, and M is that of a round rim; a slow one finds the rim that warps.
 //!
-//! The waves move by central differences: their shortest period is a hundred and more steps long. The foot is in equilibrium at each end of a step.
+//! The waves move by central differences, whose limit is ω h = 2. In tanks their shortest period is a hundred and more steps of 1 ms long; in models a wave
+//! may be faster, and has the mass then that makes it twelve steps long. The foot is in equilibrium at each end of a step.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -21,6 +22,8 @@ use crate::warp::{Top, WAVES, Wall, Warping};
 
 /// Panels of three Gauss points from the lifted side to the toe: half of those of M(ψ), which changes the moment by less than 0.1 %.
 const PANELS: usize = 16;
+/// Largest ω h of a wave.
+const FASTEST: f64 = 0.5;
 /// Pressures on the plate of the table, over the range of the curves; straight lines between them.
 const LEVELS: usize = 9;
 
@@ -126,7 +129,9 @@ impl Waves {
         for n in 0..WAVES {
             let pull = (foot[n + 1] - ovals.place[n]) / self.warping.membrane(n);
             let half = ovals.velocity[n] + 0.5 * step * ovals.acceleration[n];
-            let inertia = self.warping.mass(n) + 0.5 * step * self.damping[n];
+            let stiffness = self.warping.ovalling(n) + 1.0 / self.warping.membrane(n);
+            let mass = self.warping.mass(n).max(stiffness * (step / FASTEST).powi(2));
+            let inertia = mass + 0.5 * step * self.damping[n];
             ovals.acceleration[n] = (pull - own[n] - self.damping[n] * half) / inertia;
             ovals.velocity[n] = half + 0.5 * step * ovals.acceleration[n];
         }
