@@ -229,7 +229,7 @@ fn turn(t: &Turn, thickness: f64, radius: f64) -> Value {
         "uplift_m": t.uplift,
         "toe_force_N_per_m": t.toe_force,
         "toe_stress_Pa": t.toe_force / thickness,
-        "lifted_angle_rad": 2.0 * t.lifted_angle,
+        "lifted_angle_rad": 2.0 * t.lifted_angle(radius),
         "rim": (0..=PLACES).map(|i| f64::from(i) * 180.0 / f64::from(PLACES)).map(|degrees| json!({
             "angle_deg": degrees,
             "uplift_m": t.rim(radius, degrees.to_radians()),

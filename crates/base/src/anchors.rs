@@ -230,7 +230,6 @@ impl Ring {
             uplift: mix(|t| t.uplift),
             toe_force: mix(|t| t.toe_force),
             pull: mix(|t| t.pull),
-            lifted_angle: mix(|t| t.lifted_angle),
             waves: below.waves,
         }
     }

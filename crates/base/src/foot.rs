@@ -14,7 +14,7 @@ use std::rc::Rc;
 use crate::element::GAUSS;
 use crate::error::BaseError;
 use crate::response::Response;
-use crate::rocking::{Turn, lifted};
+use crate::rocking::Turn;
 use crate::warp::{WAVES, Wall};
 
 /// Centre and waves.
@@ -30,6 +30,29 @@ const FASTEST: f64 = 0.1;
 /// Smallest part of a Newton step: the work of strips and wall is convex, so that some part reduces the residual.
 const SHORTEST: f64 = 1e-3;
 
+/// Places side by side.
+pub(crate) const LANES: usize = 4;
+
+/// Pull of strips around on the wall [N/m] and its slope [N/m²] by the uplift [m] and the cosine of the angle from the lifted side.
+pub(crate) trait Strips {
+    fn pull(&self, uplift: f64, cos: f64) -> [f64; 2];
+
+    /// Pulls and slopes at the places of a block.
+    fn pulls(&self, _block: usize, uplifts: [f64; LANES], cosines: [f64; LANES]) -> [[f64; LANES]; 2] {
+        let mut pulls = [[0.0; LANES]; 2];
+        for i in 0..LANES {
+            [pulls[0][i], pulls[1][i]] = self.pull(uplifts[i], cosines[i]);
+        }
+        pulls
+    }
+}
+
+impl<F: Fn(f64, f64) -> [f64; 2]> Strips for F {
+    fn pull(&self, uplift: f64, cos: f64) -> [f64; 2] {
+        self(uplift, cos)
+    }
+}
+
 /// A foot that warps, for any law of its rim.
 pub(crate) struct Foot<'a> {
     /// Radius R [m].
@@ -39,41 +62,60 @@ pub(crate) struct Foot<'a> {
     /// What the wall resists waves with.
     pub(crate) wall: Wall,
     /// Places around at which the law is asked.
-    pub(crate) places: Rc<[Place]>,
-    /// Pull on the wall [N/m] and its slope [N/m²] as functions of the uplift [m] and of the cosine of the angle from the lifted side.
-    pub(crate) hold: &'a dyn Fn(f64, f64) -> [f64; 2],
+    pub(crate) places: Rc<[Block]>,
+    pub(crate) strips: &'a dyn Strips,
 }
 
-/// A place around, from the lifted side to the toe.
-#[derive(Debug)]
-pub(crate) struct Place {
-    /// Cosine of its angle.
-    cos: f64,
-    /// Angle that it stands for [rad].
-    width: f64,
+/// Places around, from the lifted side to the toe.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    /// Cosines of their angles.
+    cos: [f64; LANES],
+    /// Angles that they stand for [rad].
+    width: [f64; LANES],
     /// 1, cos 2φ, cos 3φ, …
-    forms: [f64; UNKNOWNS],
+    forms: [[f64; LANES]; UNKNOWNS],
+}
+
+impl Block {
+    /// Uplifts [m] at centre and waves, turned by ψ R [m].
+    #[inline]
+    fn uplifts(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> [f64; LANES] {
+        let mut uplifts = [0.0; LANES];
+        for lane in 0..LANES {
+            uplifts[lane] = reach * self.cos[lane];
+        }
+        for (form, own) in self.forms.iter().zip(unknowns) {
+            for lane in 0..LANES {
+                uplifts[lane] += own * form[lane];
+            }
+        }
+        uplifts
+    }
 }
 
 thread_local! {
     /// The places of each number of panels that was asked for.
-    static PLACES: RefCell<BTreeMap<usize, Rc<[Place]>>> = const { RefCell::new(BTreeMap::new()) };
+    static PLACES: RefCell<BTreeMap<usize, Rc<[Block]>>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// The Gauss points of panels from the lifted side to the toe, three in each.
-pub(crate) fn places(panels: usize) -> Rc<[Place]> {
-    let width = PI / panels as f64;
-    let place = |panel: usize, (x, weight): (f64, f64)| {
-        let cos = ((panel as f64 + x) * width).cos();
-        let mut forms = [1.0; UNKNOWNS];
-        let (mut before, mut last) = (1.0, cos);
-        for form in &mut forms[1..] {
-            (before, last) = (last, 2.0 * cos * last - before);
-            *form = last;
+/// The Gauss points of panels from the lifted side to the toe, three in each; the number of panels is a multiple of [`LANES`].
+pub(crate) fn places(panels: usize) -> Rc<[Block]> {
+    let step = PI / panels as f64;
+    let block = |block: usize| {
+        let at: [(f64, f64); LANES] = std::array::from_fn(|i| {
+            let place = LANES * block + i;
+            let (x, weight) = GAUSS[place % GAUSS.len()];
+            (((place / GAUSS.len()) as f64 + x) * step, weight * step)
+        });
+        let form = |n: usize| at.map(|(angle, _)| (n as f64 * angle).cos());
+        Block {
+            cos: form(1),
+            width: at.map(|(_, width)| width),
+            forms: std::array::from_fn(|i| form(if i == 0 { 0 } else { i + 1 })),
         }
-        Place { cos, width: weight * width, forms }
     };
-    let made = || (0..panels).flat_map(|panel| GAUSS.map(|point| place(panel, point))).collect();
+    let made = || (0..panels * GAUSS.len() / LANES).map(block).collect();
     PLACES.with_borrow_mut(|kept| Rc::clone(kept.entry(panels).or_insert_with(made)))
 }
 
@@ -89,6 +131,22 @@ struct Sums {
     /// ∫ F cos φ dφ [N/m], and its derivative by ψ R with the unknowns held [N/m²].
     moment: f64,
     turned: f64,
+}
+
+impl Sums {
+    /// A place with its pull and slope.
+    fn add(&mut self, force: f64, slope: f64, cos: f64, forms: [f64; UNKNOWNS]) {
+        self.moment += force * cos;
+        self.turned += slope * cos * cos;
+        for i in 0..UNKNOWNS {
+            self.force[i] += force * forms[i];
+            let own = slope * forms[i];
+            self.turning[i] += own * cos;
+            for (to, form) in self.slope[i][..=i].iter_mut().zip(forms) {
+                *to += own * form;
+            }
+        }
+    }
 }
 
 impl Foot<'_> {
@@ -108,7 +166,6 @@ impl Foot<'_> {
             uplift: 0.0,
             toe_force: 0.0,
             pull: 0.0,
-            lifted_angle: 0.0,
             waves,
         };
         let rim = turn.around(self.radius);
@@ -122,9 +179,8 @@ impl Foot<'_> {
         }
         let (high, low) = (rim[0], rim[rim.len() - 1]);
         turn.uplift = high;
-        turn.toe_force = -(self.hold)(low, -1.0)[0];
-        turn.pull = (self.hold)(high, 1.0)[0];
-        turn.lifted_angle = lifted(&rim);
+        turn.toe_force = -self.strips.pull(low, -1.0)[0];
+        turn.pull = self.strips.pull(high, 1.0)[0];
         Ok(turn)
     }
 
@@ -233,19 +289,23 @@ impl Foot<'_> {
 
     /// Forces on the unknowns, and the moment, as those of [`Foot::sums`].
     fn forces(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> ([f64; UNKNOWNS], f64) {
-        let (mut forces, mut moment) = (self.given(unknowns), 0.0);
-        for Place { cos, width, forms } in self.places.iter() {
-            // Four sums side by side.
-            let mut lanes = [reach * cos, 0.0, 0.0, 0.0];
-            for (form, own) in forms.chunks_exact(4).zip(unknowns.chunks_exact(4)) {
-                lanes.iter_mut().zip(form.iter().zip(own)).for_each(|(lane, (f, u))| *lane += f * u);
+        let (mut forces, mut moments) = ([[0.0; LANES]; UNKNOWNS], [0.0; LANES]);
+        for (block, place) in self.places.iter().enumerate() {
+            let [pulls, _] = self.strips.pulls(block, place.uplifts(unknowns, reach), place.cos);
+            let mut own = [0.0; LANES];
+            for lane in 0..LANES {
+                own[lane] = place.width[lane] * pulls[lane];
+                moments[lane] += own[lane] * place.cos[lane];
             }
-            let uplift = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-            let force = width * (self.hold)(uplift, *cos)[0];
-            moment += force * cos;
-            forces.iter_mut().zip(forms).for_each(|(own, form)| *own += force * form);
+            for (sums, form) in forces.iter_mut().zip(&place.forms) {
+                for lane in 0..LANES {
+                    sums[lane] += own[lane] * form[lane];
+                }
+            }
         }
-        (forces, moment)
+        let total = |lanes: [f64; LANES]| (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+        let given = self.given(unknowns);
+        (std::array::from_fn(|i| given[i] + total(forces[i])), total(moments))
     }
 
     fn sums(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> Sums {
@@ -253,18 +313,11 @@ impl Foot<'_> {
         for (to, row) in sums.slope[1..].iter_mut().zip(&self.wall.stiffness) {
             to[1..].iter_mut().zip(row).for_each(|(to, own)| *to = 0.5 * PI * own);
         }
-        for Place { cos, width, forms } in self.places.iter() {
-            let uplift = reach * cos + forms.iter().zip(unknowns).map(|(f, u)| f * u).sum::<f64>();
-            let [force, slope] = (self.hold)(uplift, *cos).map(|f| f * width);
-            sums.moment += force * cos;
-            sums.turned += slope * cos * cos;
-            for i in 0..UNKNOWNS {
-                sums.force[i] += force * forms[i];
-                let own = slope * forms[i];
-                sums.turning[i] += own * cos;
-                for (to, form) in sums.slope[i][..=i].iter_mut().zip(forms) {
-                    *to += own * form;
-                }
+        for (block, place) in self.places.iter().enumerate() {
+            let pulls = self.strips.pulls(block, place.uplifts(unknowns, reach), place.cos);
+            for lane in 0..LANES {
+                let [force, slope] = [0, 1].map(|i| place.width[lane] * pulls[i][lane]);
+                sums.add(force, slope, place.cos[lane], place.forms.map(|form| form[lane]));
             }
         }
         for i in 0..UNKNOWNS {
@@ -346,6 +399,19 @@ impl Tangent {
 }
 
 impl Standing {
+    /// Unknowns and ψ R [m].
+    pub(crate) fn place(&self) -> ([f64; UNKNOWNS], f64) {
+        (self.unknowns, self.reach)
+    }
+
+    /// Straight on from a foot to this one, as far as both are apart; returns this one.
+    pub(crate) fn go_on(&mut self, (unknowns, reach): ([f64; UNKNOWNS], f64)) -> ([f64; UNKNOWNS], f64) {
+        let now = self.place();
+        self.unknowns.iter_mut().zip(unknowns).for_each(|(own, before)| *own += *own - before);
+        self.reach += self.reach - reach;
+        now
+    }
+
     /// Upright, with its centre at a height [m].
     pub(crate) fn upright(centre: f64) -> Standing {
         let mut unknowns = [0.0; UNKNOWNS];

@@ -263,7 +263,6 @@ impl Law {
             uplift: mix(&|t| t.uplift),
             toe_force: mix(&|t| t.toe_force),
             pull: mix(&|t| t.pull),
-            lifted_angle: mix(&|t| t.lifted_angle),
             waves: if self.warps { std::array::from_fn(|n| mix(&|t| t.waves[n])) } else { [0.0; WAVES] },
         }
     }

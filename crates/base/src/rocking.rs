@@ -12,7 +12,7 @@
 use crate::curve::Curve;
 use crate::element::GAUSS;
 use crate::error::BaseError;
-use crate::foot::{Foot, places};
+use crate::foot::{Foot, Strips, places};
 use crate::warp::{WAVES, Warping};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -63,8 +63,6 @@ pub struct Turn {
     pub toe_force: f64,
     /// Axial force of the wall at the lifted side, tension positive [N/m].
     pub pull: f64,
-    /// Half of the angle over which the rim is lifted off the ground [rad].
-    pub lifted_angle: f64,
     /// Waves U₂, U₃, … of the foot, from the lifted side on [m]; 0 of one that stays plane.
     pub waves: [f64; WAVES],
 }
@@ -74,6 +72,14 @@ impl Turn {
     pub fn rim(&self, radius: f64, angle: f64) -> f64 {
         let waves = self.waves.iter().enumerate().map(|(k, u)| u * ((k + 2) as f64 * angle).cos());
         self.centre + self.rotation * radius * angle.cos() + waves.sum::<f64>()
+    }
+
+    /// Half of the angle over which a rim of this radius [m] is off the ground [rad].
+    pub fn lifted_angle(&self, radius: f64) -> f64 {
+        match self.waves.iter().all(|wave| *wave == 0.0) {
+            true => open(self.centre, self.rotation * radius),
+            false => lifted(&self.around(radius)),
+        }
     }
 
     /// w at even places from the lifted side to the toe.
@@ -234,14 +240,9 @@ impl Rocking {
         self.foot((warping, suction), WARPED, &hold).at(rotation, &start, self.range())
     }
 
-    fn foot<'a>(
-        &self,
-        (warping, suction): (&'a Warping, f64),
-        panels: usize,
-        hold: &'a dyn Fn(f64, f64) -> [f64; 2],
-    ) -> Foot<'a> {
+    fn foot<'a>(&self, (warping, suction): (&'a Warping, f64), panels: usize, strips: &'a dyn Strips) -> Foot<'a> {
         let wall = warping.under(suction);
-        Foot { radius: self.radius, weight: self.weight, wall, places: places(panels), hold }
+        Foot { radius: self.radius, weight: self.weight, wall, places: places(panels), strips }
     }
 
     /// Force [N] and moment [N m] of the strips at a rotation ψ [rad] ≥ 0 with the centre of the foot at w₀ [m], and a bottom pressure that is
@@ -272,22 +273,10 @@ impl Rocking {
         let side = if rotation < 0.0 { -1.0 } else { 1.0 };
         let (rotation, suction) = (side * rotation, side * suction);
         let p = self.pressure();
-        let mut turn = Turn {
-            rotation,
-            moment: side * moment,
-            centre,
-            uplift: 0.0,
-            toe_force: 0.0,
-            pull: 0.0,
-            lifted_angle: open(centre, rotation * self.radius),
-            waves,
-        };
+        let mut turn = Turn { rotation, moment: side * moment, centre, uplift: 0.0, toe_force: 0.0, pull: 0.0, waves };
         turn.uplift = turn.rim(self.radius, 0.0);
         turn.toe_force = -self.hold_down(turn.rim(self.radius, PI), p + suction);
         turn.pull = self.hold_down(turn.uplift, p - suction);
-        if self.warps() {
-            turn.lifted_angle = lifted(&turn.around(self.radius));
-        }
         turn
     }
 
@@ -390,7 +379,6 @@ pub(crate) fn plane_section_by(
         uplift: centre + reach,
         toe_force: -hold(centre - reach, -1.0),
         pull: hold(centre + reach, 1.0),
-        lifted_angle: open(centre, reach),
         waves: [0.0; WAVES],
     })
 }

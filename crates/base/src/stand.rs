@@ -200,7 +200,7 @@ fn grown(
                 Some(warping) => {
                     // The pressures of the codes stand still on the wall.
                     let wall = warping.under(0.0);
-                    let foot = Foot { radius, weight, wall, places: places(WARPED), hold: &hold };
+                    let foot = Foot { radius, weight, wall, places: places(WARPED), strips: &hold };
                     let near = last.map(|turn| foot.at(rotation, turn, (from, to)));
                     match near {
                         Some(Ok(turn)) => Ok(turn),

@@ -15,7 +15,7 @@ use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use crate::error::BaseError;
-use crate::foot::{Foot, Place, Standing, places};
+use crate::foot::{Block, Foot, LANES, Standing, Strips, UNKNOWNS, places};
 use crate::response::Response;
 use crate::rocking::Rocking;
 use crate::warp::{Top, WAVES, Wall, Warping};
@@ -37,7 +37,7 @@ pub struct Waves {
     damping: [f64; WAVES],
     /// Displacement w₀ of the centre at rest [m].
     rest: f64,
-    strips: Strips,
+    table: Table,
 }
 
 /// The waves in a run, from the side that a positive rotation lifts.
@@ -49,8 +49,12 @@ pub(crate) struct Ovals {
     acceleration: [f64; WAVES],
     /// The foot, as last found, and where that was: rotation [rad] and bottom pressure [Pa], with the answer.
     foot: RefCell<Standing>,
+    /// Its unknowns and ψ R a step before [m].
+    before: ([f64; UNKNOWNS], f64),
     answered: Cell<Option<((f64, f64), Response)>>,
-    places: Rc<[Place]>,
+    places: Rc<[Block]>,
+    /// Intervals of the table close to the places of each block.
+    near: Rc<[Cell<[usize; LANES]>]>,
 }
 
 impl Waves {
@@ -68,7 +72,7 @@ impl Waves {
             weight: round.weight(),
             damping: std::array::from_fn(|n| 2.0 * damping * (warping.ovalling(n) * warping.mass(n)).sqrt()),
             rest: round.at(0.0, 0.0)?.centre,
-            strips: Strips::of(&round),
+            table: Table::of(&round),
             warping,
         };
         Ok((round, Some(waves)))
@@ -82,19 +86,23 @@ impl Waves {
     pub(crate) fn at_rest(&self) -> Ovals {
         let still = [0.0; WAVES];
         let (place, velocity, acceleration) = (still, still, still);
+        let (places, foot) = (places(PANELS), Standing::upright(self.rest));
         Ovals {
             place,
             velocity,
             acceleration,
-            foot: RefCell::new(Standing::upright(self.rest)),
+            before: foot.place(),
+            foot: RefCell::new(foot),
             answered: Cell::new(None),
-            places: places(PANELS),
+            near: places.iter().map(|_| Cell::default()).collect(),
+            places,
         }
     }
 
     /// Moves the waves to the end of a step [s].
     pub(crate) fn begin(&self, ovals: &mut Ovals, step: f64) {
         ovals.answered.set(None);
+        ovals.before = ovals.foot.get_mut().go_on(ovals.before);
         for n in 0..WAVES {
             ovals.place[n] += step * (ovals.velocity[n] + 0.5 * step * ovals.acceleration[n]);
         }
@@ -112,11 +120,9 @@ impl Waves {
             stiffness[n][n] = 1.0 / self.warping.membrane(n);
             load[n] = ovals.place[n] / self.warping.membrane(n);
         }
-        let near = Cell::new(0);
-        let hold = |uplift: f64, cos: f64| self.strips.hold(&near, uplift, suction * cos);
-        let wall = Wall { stiffness, load };
-        let foot =
-            Foot { radius: self.radius, weight: self.weight, wall, places: Rc::clone(&ovals.places), hold: &hold };
+        let strips = Under { table: &self.table, suction, near: &ovals.near };
+        let (wall, places) = (Wall { stiffness, load }, Rc::clone(&ovals.places));
+        let foot = Foot { radius: self.radius, weight: self.weight, wall, places, strips: &strips };
         let answer = foot.follow(psi, &mut ovals.foot.borrow_mut())?;
         ovals.answered.set(Some(((psi, suction), answer)));
         Ok(answer)
@@ -149,53 +155,84 @@ impl Ovals {
 
 /// Pull of a strip [N/m] by uplift and pressure, a table: cubics between uplifts.
 #[derive(Clone, Debug)]
-struct Strips {
+struct Table {
     uplifts: Vec<f64>,
-    /// Suctions of the first level and between two levels [Pa].
+    /// Suction of the first level [Pa], and levels of a pascal.
     first: f64,
-    apart: f64,
-    /// Coefficients by level, then interval of uplifts.
-    cubics: Vec<Vec<[f64; 4]>>,
+    levels: f64,
+    /// Coefficients by interval of uplifts, then level, and how much more they are at the next level.
+    cubics: Vec<[[[f64; 4]; 2]; LEVELS - 1]>,
 }
 
-impl Strips {
-    fn of(rocking: &Rocking) -> Strips {
+impl Table {
+    fn of(rocking: &Rocking) -> Table {
         let (low, high) = rocking.suctions();
         let apart = ((high - low) / (LEVELS - 1) as f64).max(f64::MIN_POSITIVE);
         let uplifts: Vec<f64> = rocking.curve().points().iter().map(|p| p.uplift).collect();
-        let level = |k: usize| {
+        let between = |pair: &[f64], k: usize| {
             let at = |w: f64| rocking.hold(w, rocking.pressure() - low - apart * k as f64);
-            let between = |pair: &[f64]| {
-                let (h, [a, m], [b, n]) = (pair[1] - pair[0], at(pair[0]), at(pair[1]));
-                let secant = (b - a) / h;
-                [a, m, (3.0 * secant - 2.0 * m - n) / h, (m + n - 2.0 * secant) / (h * h)]
-            };
-            uplifts.windows(2).map(between).collect()
+            let (h, [a, m], [b, n]) = (pair[1] - pair[0], at(pair[0]), at(pair[1]));
+            let secant = (b - a) / h;
+            [a, m, (3.0 * secant - 2.0 * m - n) / h, (m + n - 2.0 * secant) / (h * h)]
         };
-        Strips { first: low, apart, cubics: (0..LEVELS).map(level).collect(), uplifts }
+        let interval = |pair: &[f64]| {
+            let own: [[f64; 4]; LEVELS] = std::array::from_fn(|k| between(pair, k));
+            std::array::from_fn(|k| [own[k], std::array::from_fn(|j| own[k + 1][j] - own[k][j])])
+        };
+        let cubics = uplifts.windows(2).map(interval).collect();
+        Table { first: low, levels: 1.0 / apart, cubics, uplifts }
     }
 
     /// F and dF/dw; straight on beyond the uplifts.
     ///
     /// * `near`: an interval of uplifts close to that one, which it becomes
-    fn hold(&self, near: &Cell<usize>, uplift: f64, suction: f64) -> [f64; 2] {
-        let mut i = near.get();
+    #[inline(always)]
+    fn pull(&self, near: &mut usize, uplift: f64, suction: f64) -> [f64; 2] {
+        let mut i = *near;
         while i > 0 && uplift < self.uplifts[i] {
             i -= 1;
         }
-        while i + 2 < self.uplifts.len() && uplift > self.uplifts[i + 1] {
+        while i + 1 < self.cubics.len() && uplift > self.uplifts[i + 1] {
             i += 1;
         }
-        near.set(i);
-        let x = uplift.clamp(self.uplifts[i], self.uplifts[i + 1]) - self.uplifts[i];
-        let beyond = uplift - self.uplifts[i] - x;
-        let level = ((suction - self.first) / self.apart).clamp(0.0, (LEVELS - 1) as f64);
-        let k = (level as usize).min(LEVELS - 2);
+        *near = i;
+        let level = ((suction - self.first) * self.levels).clamp(0.0, (LEVELS - 1) as f64);
+        let k = (level as i32 as usize).min(LEVELS - 2);
         let share = level - k as f64;
-        let (low, high) = (&self.cubics[k][i], &self.cubics[k + 1][i]);
-        let [a, b, c, d]: [f64; 4] = std::array::from_fn(|j| low[j] + share * (high[j] - low[j]));
-        let slope = b + x * (2.0 * c + x * 3.0 * d);
-        [a + x * (b + x * (c + x * d)) + slope * beyond, slope]
+        let [own, more] = &self.cubics[i][k];
+        let mut mixed = *own;
+        for j in 0..4 {
+            mixed[j] += share * more[j];
+        }
+        let [a, b, c, d] = mixed;
+        let at = |x: f64| [a + x * (b + x * (c + x * d)), b + x * (2.0 * c + x * 3.0 * d)];
+        let (from, to) = (self.uplifts[i], self.uplifts[i + 1]);
+        let beyond = uplift - uplift.max(from).min(to);
+        let [force, slope] = at(uplift - beyond - from);
+        [force + slope * beyond, slope]
+    }
+}
+
+/// The table under a suction at the lifted side [Pa], with intervals close to those of each place.
+struct Under<'a> {
+    table: &'a Table,
+    suction: f64,
+    near: &'a [Cell<[usize; LANES]>],
+}
+
+impl Strips for Under<'_> {
+    fn pull(&self, uplift: f64, cos: f64) -> [f64; 2] {
+        self.table.pull(&mut 0, uplift, self.suction * cos)
+    }
+
+    fn pulls(&self, block: usize, uplifts: [f64; LANES], cosines: [f64; LANES]) -> [[f64; LANES]; 2] {
+        let mut near = self.near[block].get();
+        let mut pulls = [[0.0; LANES]; 2];
+        for i in 0..LANES {
+            [pulls[0][i], pulls[1][i]] = self.table.pull(&mut near[i], uplifts[i], self.suction * cosines[i]);
+        }
+        self.near[block].set(near);
+        pulls
     }
 }
 

@@ -39,6 +39,8 @@ pub struct Run<'a> {
 pub(super) struct State {
     pub modes: Modes,
     pub psi: [f64; 3],
+    /// ψ̈ at the next instant, straight on from the last two [rad/s²].
+    pub ahead: f64,
     pub slip: [f64; 3],
     /// Direction of the inertia force that friction balances, 0 while the body sticks.
     pub sliding: f64,
@@ -80,6 +82,7 @@ impl State {
         State {
             modes: Modes::new(run.body, run.step, run.rigid_pressure),
             psi: [0.0; 3],
+            ahead: 0.0,
             slip: [0.0; 3],
             sliding: 0.0,
             springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],

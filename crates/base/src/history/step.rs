@@ -118,7 +118,7 @@ fn accelerations(run: &Run<'_>, state: &State, sums: &Sums, ground: f64, way: Wa
     let predicted = predicted(&state.psi, h);
     let psi = |b: f64| predicted[0] + BETA * h * h * b;
     let velocity = |b: f64| predicted[1] + GAMMA * h * b;
-    let mut b = state.psi[2];
+    let mut b = state.ahead;
     // A foot whose waves take time costs microseconds at each iteration; what is left of the moment does not add up, as the next step starts from that at
     // the place of this one.
     let settled = if run.waves.is_some() { 1e-5 } else { 1e-12 };
@@ -226,6 +226,7 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) -> R
     let h = run.step;
     state.modes.advance([a, b]);
     let turned = state.psi[0];
+    state.ahead = 2.0 * b - state.psi[2];
     state.psi = moved(&state.psi, b, h);
     let turned = state.psi[0] - turned;
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;

@@ -95,7 +95,7 @@ fn a_rim_that_stiffens_has_no_stiffer_springs() {
 #[test]
 fn turns_between_the_places_of_the_table() {
     let law = concave();
-    let fields = |t: &Turn| [t.moment, t.centre, t.uplift, t.toe_force, t.pull, t.lifted_angle];
+    let fields = |t: &Turn| [t.moment, t.centre, t.uplift, t.toe_force, t.pull];
     for j in [1, 17, 40] {
         let psi = law.rotations()[j];
         for k in 1..law.suctions().len() {
@@ -103,7 +103,7 @@ fn turns_between_the_places_of_the_table() {
             let own = law.turn(psi, high);
             let between = fields(&law.turn(psi, 0.5 * (low + high)));
             let mirrored = fields(&law.turn(-psi, -high));
-            for i in 0..6 {
+            for i in 0..5 {
                 let [a, b] = [k - 1, k].map(|k| fields(law.tabled(k, j))[i]);
                 let near = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-9 * (a.abs() + b.abs());
                 assert!(near(fields(&own)[i], b) && near(mirrored[i], b), "{j} {k} {i}");

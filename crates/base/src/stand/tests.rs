@@ -146,8 +146,13 @@ fn fewer_panels_give_the_same_warped_foot() {
         let curve = &stands.curves[0].1.curve;
         let hold = |w: f64, _: f64| curve.hold(w);
         let warping = base.warping.as_ref().unwrap();
-        let foot =
-            Foot { radius: base.radius, weight: 21_350.0, wall: warping.under(0.0), places: places(400), hold: &hold };
+        let foot = Foot {
+            radius: base.radius,
+            weight: 21_350.0,
+            wall: warping.under(0.0),
+            places: places(400),
+            strips: &hold,
+        };
         let fine = foot.at(found.rotation, &found, curve.range()).unwrap();
         close(found.moment, fine.moment, 1e-3);
         close(found.uplift, fine.uplift, 1e-3);

@@ -198,7 +198,7 @@ fn the_ground_carries_wall_and_moment() {
         assert!((force / weight - 1.0).abs() < 0.03, "{force} {weight}");
         let expected = turn.moment * rotation.signum();
         assert!((moment / expected - 1.0).abs() < 0.03, "{moment} {expected}");
-        let arc = f64::from(sectors) * turn.lifted_angle / std::f64::consts::PI;
+        let arc = f64::from(sectors) * turn.lifted_angle(base.radius) / std::f64::consts::PI;
         assert!((lifted as f64 - arc).abs() < 3.0, "{lifted} {arc}");
         let plan = floor.plan(&now, 1.0);
         let toe = if rotation > 0.0 { 0 } else { plan.degrees.len() - 1 };

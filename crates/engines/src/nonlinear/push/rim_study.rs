@@ -145,7 +145,7 @@ fn compare(tank: &Tank, rim: &str, name: &str) {
         let suction = plate.suction() * p.acceleration;
         let of = |t: &::base::Turn| {
             let width = rocking.lifted_width(t.uplift, 1.0, suction);
-            [1e-6 * t.moment, 1e3 * t.uplift, 1e-6 * t.toe_force / wall, width, 2.0 * t.lifted_angle]
+            [1e-6 * t.moment, 1e3 * t.uplift, 1e-6 * t.toe_force / wall, width, 2.0 * t.lifted_angle(plate.base.radius)]
         };
         let warped = rocking.at(b.rotation, suction);
         let [strips, plane] = [&rocking, &flat].map(|r| r.at(b.rotation, suction).map_or([f64::NAN; 5], |t| of(&t)));
