@@ -142,7 +142,7 @@ impl Sums {
             self.force[i] += force * forms[i];
             let own = slope * forms[i];
             self.turning[i] += own * cos;
-            for (to, form) in self.slope[i][..=i].iter_mut().zip(forms) {
+            for (to, form) in self.slope[i].iter_mut().zip(forms) {
                 *to += own * form;
             }
         }
@@ -318,11 +318,6 @@ impl Foot<'_> {
             for lane in 0..LANES {
                 let [force, slope] = [0, 1].map(|i| place.width[lane] * pulls[i][lane]);
                 sums.add(force, slope, place.cos[lane], place.forms.map(|form| form[lane]));
-            }
-        }
-        for i in 0..UNKNOWNS {
-            for j in i + 1..UNKNOWNS {
-                sums.slope[i][j] = sums.slope[j][i];
             }
         }
         sums

@@ -32,6 +32,8 @@ const FIRST: f64 = 2e-5;
 const LARGEST: f64 = 0.1;
 /// Way to the next rotation over that to where the secant has the moment.
 const AHEAD: f64 = 1.2;
+/// Largest way to it over the last one.
+const FARTHER: f64 = 4.0;
 
 /// The base of a tank.
 #[derive(Clone, Debug)]
@@ -314,7 +316,7 @@ pub(crate) fn turned(
                     Some(edge) => 0.5 * (rotation + edge),
                     // Not much beyond the answer, as a curve may have to be drawn for it: the moment grows slower and slower.
                     None => (rotation - AHEAD * value * step / gain.max(1e-300))
-                        .clamp(1.02 * rotation, 1.5 * rotation)
+                        .clamp(1.02 * rotation, FARTHER * rotation)
                         .min(LARGEST),
                 };
             }
@@ -383,18 +385,21 @@ pub(crate) fn plane_section_by(
     })
 }
 
-/// Root of an increasing function in a bracket of (place, value): false position with halved ends (Dowell & Jarratt 1971), and every
-/// third time the middle.
+/// Root of an increasing function in a bracket of (place, value): false position with halved ends (Dowell & Jarratt 1971), and the middle where two
+/// steps have not halved the value.
 fn root(f: &dyn Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64), settled: f64) -> f64 {
     let mut last = 0_i8;
-    for i in 0..200 {
+    let mut sizes = [f64::INFINITY; 3];
+    for _ in 0..200 {
         let width = high.0 - low.0;
-        let share = if i % 3 == 2 { 0.5 } else { low.1 / (low.1 - high.1) };
+        let slow = sizes[2] > 0.5 * sizes[0];
+        let share = if slow { 0.5 } else { low.1 / (low.1 - high.1) };
         let x = low.0 + share.clamp(0.0, 1.0) * width;
         let value = f(x);
         if value.abs() <= settled || width <= 1e-15 {
             return x;
         }
+        sizes = if slow { [f64::INFINITY; 3] } else { [sizes[1], sizes[2], value.abs()] };
         let side = if value < 0.0 { -1 } else { 1 };
         let (own, other) = if side < 0 { (&mut low, &mut high) } else { (&mut high, &mut low) };
         *own = (x, value);

@@ -89,9 +89,10 @@ pub struct Warping {
     top: Top,
     /// Moment of the impulsive pressure on the wall over its bottom pressure [m³].
     lever: f64,
-    dry: Dry,
-    /// Whether the liquid pulls on the wall where its pressure falls below that of the air.
-    pulls: bool,
+    /// Radius and depth [m], and pressure at rest at the foot [Pa].
+    fill: [f64; 3],
+    /// Liquid that does not pull on the wall where its pressure falls below that of the air.
+    dry: Option<Dry>,
 }
 
 impl Warping {
@@ -130,12 +131,11 @@ impl Warping {
         let free =
             |k: usize| n(k).powi(4) * (n(k).powi(2) - 1.0) * (liquid + (n(k).powi(2) - 1.0) * bending / radius.powi(6));
         let held = |k: usize| radius * radius * (shearing + (n(k) / radius).powi(2) * axial) / (n(k) * height).powi(2);
+        let ovals = ovalling(radius, depth);
         let mass = |k: usize| {
-            let (order, n) = (k + 2, n(k));
+            let n = n(k);
             let tall = n.powi(4) / (radius * radius);
-            tall * case.liquid.density * ovalling(order, radius, depth)
-                + (tall + (n / radius).powi(2)) * leaning
-                + areal
+            tall * case.liquid.density * ovals[k] + (tall + (n / radius).powi(2)) * leaning + areal
         };
         let [level, first, square] = moments(radius / depth).map(|m| m * depth);
         let sucked = |i: usize, j: usize| {
@@ -156,14 +156,14 @@ impl Warping {
             held: std::array::from_fn(held),
             top,
             lever: PI * radius * depth * first,
-            dry: Dry::new(radius, depth, case.liquid.density * gravity * depth),
-            pulls: true,
+            fill: [radius, depth, case.liquid.density * gravity * depth],
+            dry: None,
         })
     }
 
     /// The same wall with liquid that does not pull on it.
     pub(crate) fn without_pull(self) -> Warping {
-        Warping { pulls: false, ..self }
+        Warping { dry: Some(Dry::new(self.fill)), ..self }
     }
 
     /// The same wall in a motion that is too short for its rim to leave the circle.
@@ -245,9 +245,9 @@ impl Warping {
                 stiffness[i][j] = if i == j { self.free[i] } else { -suction * self.sucked[i][j] };
             }
         }
-        if !self.pulls {
+        if let Some(dry) = &self.dry {
             let added;
-            (load, added) = self.dry.at(suction);
+            (load, added) = dry.at(suction);
             stiffness.iter_mut().flatten().zip(added.iter().flatten()).for_each(|(to, own)| *to += own);
         }
         // Ovalling F and membrane H in series: (1 + F H) f = F U − q.
@@ -298,14 +298,11 @@ fn moments(ratio: f64) -> [f64; 3] {
     sums.map(|sum| sum / foot)
 }
 
-/// The same pressure at ζ, 1 at the foot.
-fn shape(ratio: f64, zeta: f64) -> f64 {
-    let (mut foot, mut here) = (0.0, 0.0);
-    for (alpha, share) in terms(ratio) {
-        foot += share;
-        here += share * (alpha * zeta).cos();
-    }
-    here / foot
+/// The same pressure at places ζ, 1 at the foot.
+fn shape(ratio: f64, places: impl Iterator<Item = f64>) -> Vec<f64> {
+    let terms: Vec<(f64, f64)> = terms(ratio).collect();
+    let foot: f64 = terms.iter().map(|(_, share)| share).sum();
+    places.map(|zeta| terms.iter().map(|(alpha, share)| share * (alpha * zeta).cos()).sum::<f64>() / foot).collect()
 }
 
 /// α H and (−1)^k/(α H)² I₁(α R)/I₁′(α R) of its terms.
@@ -313,36 +310,41 @@ fn terms(ratio: f64) -> impl Iterator<Item = (f64, f64)> {
     (0..TERMS).map(move |k| {
         let alpha = (2.0 * k as f64 + 1.0) * PI / 2.0;
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-        (alpha, sign * bessel(1, alpha * ratio) / (alpha * alpha))
+        (alpha, sign * bessel::<2>(alpha * ratio)[1] / (alpha * alpha))
     })
 }
 
-/// Σ (2/H) (∫ z cos α z dz)² I_n(αR)/(α I_n′(αR)) [m⁴].
-fn ovalling(order: usize, radius: f64, depth: f64) -> f64 {
-    let term = |k: usize| {
+/// Σ (2/H) (∫ z cos α z dz)² I_n(αR)/(α I_n′(αR)) [m⁴], from n = 2 on.
+fn ovalling(radius: f64, depth: f64) -> [f64; WAVES] {
+    let mut sums = [0.0; WAVES];
+    for k in 0..TERMS {
         let alpha = (2.0 * k as f64 + 1.0) * PI / (2.0 * depth);
         let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let lever = sign * depth / alpha - 1.0 / (alpha * alpha);
-        2.0 / depth * lever * lever * bessel(order, alpha * radius) / alpha
-    };
-    (0..TERMS).map(term).sum()
+        let ratios = bessel::<{ WAVES + 2 }>(alpha * radius);
+        sums.iter_mut().zip(&ratios[2..]).for_each(|(sum, ratio)| *sum += 2.0 / depth * lever * lever * ratio / alpha);
+    }
+    sums
 }
 
-/// I_n(x)/I_n′(x): power series; beyond x = 50 the first terms of Debye's (Abramowitz & Stegun 9.7.7, 9.7.9).
-fn bessel(order: usize, x: f64) -> f64 {
-    let n = order as f64;
+/// I_n(x)/I_n′(x) for n = 0, 1, …: I_n+1/I_n falls from order to order as a continued fraction (Abramowitz & Stegun 9.6.26); beyond x = 50 the first terms of
+/// Debye's (9.7.7, 9.7.9).
+fn bessel<const N: usize>(x: f64) -> [f64; N] {
     if x > 50.0 {
-        let square = x * x + n * n;
-        return 1.0 / (square.sqrt() / x - 0.5 * x / square);
+        return std::array::from_fn(|n| {
+            let square = x * x + (n * n) as f64;
+            1.0 / (square.sqrt() / x - 0.5 * x / square)
+        });
     }
-    let (mut term, mut value, mut slope) = (1.0, 1.0, n);
-    for k in 1..200 {
-        let k = f64::from(k);
-        term *= 0.25 * x * x / (k * (k + n));
-        value += term;
-        slope += (2.0 * k + n) * term;
+    let (mut ratios, mut ratio) = ([0.0; N], 0.0);
+    // Each order beyond x takes a factor of 4 and more from the error of the first.
+    for n in (0..N + 30 + x as usize).rev() {
+        ratio = 1.0 / (2.0 * (n + 1) as f64 / x + ratio);
+        if let Some(own) = ratios.get_mut(n) {
+            *own = 1.0 / (ratio + n as f64 / x);
+        }
     }
-    x * value / slope
+    ratios
 }
 
 #[cfg(test)]

@@ -39,10 +39,9 @@ pub(super) struct Dry {
 }
 
 impl Dry {
-    /// * `radius`, `depth`: R, H [m]
-    /// * `pressure`: ρ g H [Pa]
-    pub(super) fn new(radius: f64, depth: f64, pressure: f64) -> Dry {
-        Dry { radius, depth, pressure, shape: (0..LEVELS).map(|i| shape(radius / depth, level(i))).collect() }
+    /// * R and H [m], and ρ g H [Pa]
+    pub(super) fn new([radius, depth, pressure]: [f64; 3]) -> Dry {
+        Dry { radius, depth, pressure, shape: shape(radius / depth, (0..LEVELS).map(level)) }
     }
 
     /// Load q_n on the waves [N/m] and what Δp adds to their stiffness [N/m²], of a wall that ovals under a suction p_b [Pa].

@@ -32,8 +32,8 @@ fn walled(slope: [f64; 2], stiffness: f64) -> Rocking {
         held,
         top,
         lever: 1.0,
-        dry: Dry::new(1.0, 1.0, 1.0),
-        pulls: true,
+        fill: [1.0; 3],
+        dry: None,
     }))
 }
 
@@ -217,7 +217,7 @@ fn a_wave_of_the_missing_pressure_couples_as_the_pressure_does() {
 /// Load and stiffness of Δp of a squat tank at 0.49 of the pressure at rest, against sums on a grid of 1000 × 720 by an independent program [N/m].
 #[test]
 fn liquid_that_does_not_pull_presses_the_middle_down() {
-    let dry = Dry::new(25.0, 9.0, 1000.0 * 9.80665 * 9.0);
+    let dry = Dry::new([25.0, 9.0, 1000.0 * 9.80665 * 9.0]);
     let (load, _) = dry.at(0.49 * 1000.0 * 9.80665 * 9.0);
     for (found, wanted) in load.iter().zip([-2154.2, -3462.4, -3707.0, -2760.3]) {
         assert!((found / wanted - 1.0).abs() < 0.02, "{load:?}");
@@ -260,7 +260,7 @@ fn strips_beside_shells_whose_liquid_does_not_pull() {
 #[test]
 fn liquid_that_ovals_in_a_slender_tank() {
     for n in [2, 3, 7] {
-        let found = ovalling(n, 0.005, 1.0);
+        let found = ovalling(0.005, 1.0)[n - 2];
         assert!((found / (0.005 / n as f64 / 3.0) - 1.0).abs() < 0.02, "{n}: {found}");
     }
 }
@@ -281,6 +281,7 @@ const RATIOS: [(usize, f64, f64); 8] = [
 #[test]
 fn ratios_of_bessel_functions() {
     for (n, x, wanted) in RATIOS {
-        assert!((bessel(n, x) / wanted - 1.0).abs() < 1e-4, "{n} {x}: {}", bessel(n, x));
+        let found = bessel::<13>(x)[n];
+        assert!((found / wanted - 1.0).abs() < 1e-4, "{n} {x}: {found}");
     }
 }
