@@ -10,6 +10,7 @@ use std::path::PathBuf;
 
 pub(crate) use set::Rule;
 
+use oscillator::known::known;
 use serde::Serialize;
 use tank::STANDARD_GRAVITY;
 
@@ -90,6 +91,8 @@ pub(crate) struct Facts<'a> {
     final_velocity: f64,
     final_displacement: f64,
     sha256: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    known_as: Option<&'static str>,
 }
 
 /// Runs the subcommand; returns the exit code.
@@ -142,6 +145,7 @@ pub(crate) fn facts(read: &ReadRecord) -> Facts<'_> {
         final_velocity: measures.final_velocity,
         final_displacement: measures.final_displacement,
         sha256: &read.sha256,
+        known_as: known(&read.record).map(|known| known.name),
     }
 }
 
@@ -167,6 +171,9 @@ fn human(facts: &Facts) -> String {
     }
     text.push_str(&format!("unit     {}, from {}\n", facts.unit, facts.unit_source));
     text.push_str(&format!("sha256   {}\n", facts.sha256));
+    if let Some(known) = facts.known_as {
+        text.push_str(&format!("known as {known}\n"));
+    }
     if let (Some(corner), Some(longest)) = (facts.low_cut_frequency_hz, facts.usable_period_s) {
         text.push_str(&format!(
             "filter   low cut at {corner} Hz: nothing can be said of periods beyond {longest:.3} s\n"

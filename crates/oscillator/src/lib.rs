@@ -3,6 +3,7 @@
 //! | module | idea |
 //! |---|---|
 //! | [`intensity`] | intensity measures, the axes of fragility curves |
+//! | [`known`] | processings of accelerograms by their numbers |
 //! | [`record`] | a ground motion sampled at equal steps |
 //! | [`sdof`] | exact recurrence for piecewise linear loads; Duhamel's integral as a reference |
 //! | [`newmark`] | coefficients of Newmark's method |
@@ -12,6 +13,7 @@
 //! SI units throughout (m, kg, s, N, rad).
 
 pub mod intensity;
+pub mod known;
 pub mod newmark;
 pub mod record;
 pub mod sdof;

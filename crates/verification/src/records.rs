@@ -5,6 +5,7 @@ use std::path::Path;
 
 use files::code::Code;
 use files::error::Error;
+use oscillator::known::{self, Known};
 use oscillator::record::Record;
 
 use crate::Failure;
@@ -17,6 +18,13 @@ pub const PARKFIELD: &str = "parkfield-1966-cholame-5-n85e.csv";
 pub const PACOIMA: &str = "san-fernando-1971-pacoima-dam-164.csv";
 /// El Centro, component 180, of the NGA-West2 database (0.281 g).
 pub const EL_CENTRO_NGA: &str = "imperial-valley-1940-el-centro-180-nga.csv";
+/// What these files have to be.
+const NEEDED: [(&str, Known); 4] = [
+    (EL_CENTRO, known::EL_CENTRO),
+    (PARKFIELD, known::PARKFIELD),
+    (PACOIMA, known::PACOIMA),
+    (EL_CENTRO_NGA, known::EL_CENTRO_NGA),
+];
 /// Columns of these files.
 const HEAD: &str = "time_s,acceleration_m_s2";
 
@@ -27,16 +35,17 @@ pub struct Records(BTreeMap<String, Record>);
 impl Records {
     /// Reads these files of a folder, with the columns `time_s,acceleration_m_s2`.
     ///
-    /// Errors: a file that cannot be read, or is not such a table with equal steps of time.
+    /// Errors: a file that cannot be read, is not such a table with equal steps of time, or holds another processing than its name says.
     pub fn read(folder: &Path, names: &[&str]) -> Result<Records, Error> {
         let each = |name: &&str| {
             let path = folder.join(name);
             let text = files::read_text(&path).map_err(|e| Error::unreadable(&path, &e))?;
             let record = record(name, &text).ok_or_else(|| Error::File {
                 code: Code::TimeStep,
-                path,
+                path: path.clone(),
                 what: format!("found another table, expected lines in equal steps of time under `{HEAD}`"),
             })?;
+            processed(name, &path, &record)?;
             Ok(((*name).to_owned(), record))
         };
         names.iter().map(each).collect::<Result<_, Error>>().map(Records)
@@ -58,6 +67,19 @@ impl Records {
         let found = self.0.get(file);
         found.ok_or_else(|| format!("the record {file} was not read").into())
     }
+}
+
+/// Errors: a record that is not the processing that the name of its file stands for.
+fn processed(name: &str, path: &Path, record: &Record) -> Result<(), Error> {
+    let Some((_, needed)) = NEEDED.iter().find(|(file, known)| *file == name && !known.is(record)) else {
+        return Ok(());
+    };
+    let found = known::known(record).map_or_else(
+        || format!("{} samples of {} s with a peak of {:.3} m/s²", record.acceleration.len(), record.dt, record.pga()),
+        |known| known.name.to_owned(),
+    );
+    let what = format!("found {found}, expected {} ({} samples, {} m/s²)", needed.name, needed.samples, needed.peak);
+    Err(Error::File { code: Code::NotResults, path: path.to_owned(), what })
 }
 
 /// The record of a table; lines that begin with `#` are comments.
@@ -92,6 +114,11 @@ mod tests {
             record("a.csv", "# Caltech\ntime_s, acceleration_m_s2\n0,0\n0.02,-1.5\n0.04,2\n").expect("a record");
         assert_eq!((found.name.as_str(), found.dt), ("a", 0.02));
         assert_eq!(found.acceleration, [0.0, -1.5, 2.0]);
+        let wrong = processed(EL_CENTRO, Path::new(EL_CENTRO), &found).expect_err("three samples").to_string();
+        assert!(
+            wrong.contains("found 3 samples of 0.02 s with a peak of 2.000 m/s²") && wrong.contains("Caltech"),
+            "{wrong}"
+        );
         for other in [
             "time_s,acceleration_g\n0,0\n0.02,1\n",
             "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.05,2\n",

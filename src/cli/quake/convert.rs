@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::input::records::{self, AccelerationUnit, LOW_CUT, ReadRecord};
 use files::code::Code;
 use files::{text, write_whole};
+use oscillator::known::known;
 
 #[derive(clap::Args)]
 #[command(after_help = "\
@@ -68,6 +69,9 @@ fn csv(read: &ReadRecord, source: &str, unit: AccelerationUnit) -> String {
     }
     comment("source sha256", &read.sha256);
     comment("unit of the source", &read.unit.to_string());
+    if let Some(known) = known(&read.record) {
+        comment("known as", known.name);
+    }
     if let Some(corner) = read.low_cut_frequency {
         comment(LOW_CUT, &format!("{corner} Hz"));
     }

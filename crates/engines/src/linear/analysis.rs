@@ -239,7 +239,6 @@ pub(crate) fn analyse_on<'a>(
         }
     };
     let hoop = extremes.iter().find(|l| l.what == OnWall::Hoop).map(LineExtremes::worst);
-
     let scalars = model.scalars(hoop);
     let observables: Vec<Observable> = scalars.iter().map(|s| s.observable.clone()).collect();
     let opposite: Vec<Observable> =

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 use tank::Quantity;
 use tank::assessment::Excitation;
+use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::figure::Figure;
@@ -15,7 +16,7 @@ use crate::number::{Scale, ratio};
 use crate::words::labels::OUTSIDE;
 use crate::words::terminal;
 use files::error::Error;
-use results::{FE, Method, Results, Status};
+use results::{Cell, FE, Method, Results, Status};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] =
@@ -111,17 +112,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
             unit: scale.symbol(),
             cells: cells
                 .iter()
-                .zip(&head)
-                .zip(&by)
-                .map(|((cell, head), by)| CellView {
-                    value: cell.map_or("–".into(), |c| scale.text(c.value)),
-                    unusable: cell.is_some_and(|c| c.unusable),
-                    divided: cell.is_some() && divides(row.dimension) && !by.is_empty(),
-                    outside: cell.filter(|c| c.outside).map(|_| OUTSIDE),
-                    ratio: cell.and_then(|c| c.ratio).filter(|_| !head.fe).map_or(String::new(), ratio),
-                    fe: head.fe,
-                    break_before: head.break_before,
-                })
+                .zip(head.iter().zip(&by))
+                .map(|(cell, column)| view(*cell, column, (&scale, row.dimension)))
                 .collect(),
         });
     }
@@ -144,6 +136,19 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set_figures("site_figures", drawn(true));
     section.set_figures("figures", drawn(false));
     Ok(Some(section))
+}
+
+/// A cell in its column, whose values are divided by something or, where that is empty, are not.
+fn view(cell: Option<Cell>, (head, by): (&Head, &String), (scale, dimension): (&Scale, Dimension)) -> CellView {
+    CellView {
+        value: cell.map_or("–".into(), |c| scale.text(c.value)),
+        unusable: cell.is_some_and(|c| c.unusable),
+        divided: cell.is_some() && divides(dimension) && !by.is_empty(),
+        outside: cell.filter(|c| c.outside).map(|_| OUTSIDE),
+        ratio: cell.and_then(|c| c.ratio).filter(|_| !head.fe).map_or(String::new(), ratio),
+        fe: head.fe,
+        break_before: head.break_before,
+    }
 }
 
 /// Methods that do not apply.

@@ -250,8 +250,7 @@ impl Parts {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported("the tank is not a cylinder".into()));
         };
-        let depth = case.liquid.fill_height;
-        let unit_weight = case.liquid.density * case.gravity;
+        let (depth, unit_weight) = (case.liquid.fill_height, case.liquid.density * case.gravity);
         let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
         let rows = build_rows(case, &cells, radius, options)?;
         let footprint = Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;

@@ -144,12 +144,8 @@ pub(super) fn march(
         slope: 0.0,
         breaks: None,
     };
-    let mut trial = [vec![0.0; n], vec![0.0; n]];
-    let mut rates = [vec![0.0; n], vec![0.0; n]];
-    let mut first = [vec![0.0; n], vec![0.0; n]];
-    let mut sum = [vec![0.0; n], vec![0.0; n]];
+    let [mut trial, mut rates, mut first, mut sum, mut before] = [(); 5].map(|()| [vec![0.0; n], vec![0.0; n]]);
     let mut differences = Differences::new(n);
-    let mut before = [vec![0.0; n], vec![0.0; n]];
     let mut last = [Motion::default(); 3];
     let (mut input, mut damped) = (0.0, 0.0);
     for i in 0..=steps {

@@ -52,3 +52,27 @@ fn isolators_act_as_in_the_linear_engine() {
         assert_eq!(own.demands.unwrap().isolation.unwrap().bounds.len(), 2);
     }
 }
+
+/// Interrupted in the first run and in the second, under the motion of a slab that the first has corrected, and resumed: the same to the last bit.
+#[test]
+fn run_on_isolators_resumed_is_uninterrupted() {
+    let bearing = Bearing::FrictionPendulum { radius: 2.0, friction: 0.06, slow: 0.03, rate: 50.0, slip: 1e-3 };
+    let mut case = tank(bearing);
+    case.ground_motion.as_mut().unwrap().horizontal.acceleration.drain(..250);
+    case.ground_motion.as_mut().unwrap().horizontal.acceleration.truncate(21);
+    let own = options(&case, 4, 8);
+    // Steps of the stages before and of both runs.
+    let all = StopAfter { left: AtomicU64::new(u64::MAX) };
+    let straight = simulate(&case, &own, None, &all).unwrap();
+    let steps = u64::MAX - all.left.load(Ordering::Relaxed);
+    for stop in [steps / 3, steps * 5 / 6] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |resume| CheckpointFile { path: folder.path().join("run.checkpoint"), key: "a".into(), resume };
+        let stop = StopAfter { left: AtomicU64::new(stop) };
+        let part = simulate(&case, &own, Some(&file(false)), &stop).unwrap();
+        assert!(part.result.incomplete && part.series.time.len() < straight.series.time.len());
+        let resumed = simulate(&case, &own, Some(&file(true)), &Silent).unwrap();
+        assert_eq!(resumed.series, straight.series);
+        assert_eq!(resumed.values, straight.values);
+    }
+}
