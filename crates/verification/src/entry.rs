@@ -74,6 +74,9 @@ pub struct Entry {
     /// What the reader is told beside the numbers.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub remark: String,
+    /// The number that the dissertation prints, where the reference is another.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub printed: Option<f64>,
 }
 
 /// Kinds of references in the order of the index, with their meaning.
@@ -120,6 +123,7 @@ impl Entry {
             pace,
             convergence: row.convergence.iter().filter_map(finite).collect(),
             remark: row.remark.clone(),
+            printed: row.printed.and_then(rounded),
         }
     }
 
@@ -127,6 +131,11 @@ impl Entry {
     pub fn error(&self) -> f64 {
         let difference = self.computed.map_or(f64::NAN, |c| c - self.reference);
         if self.reference == 0.0 { difference } else { difference / self.reference.abs() }
+    }
+
+    /// The number that the dissertation prints; none of a row that has nothing to do with it.
+    pub fn of_dissertation(&self) -> Option<f64> {
+        self.printed.or_else(|| (self.kind == KINDS[3].0).then_some(self.reference))
     }
 
     /// Whether the row is for comparison only: it has no tolerance and cannot fail.

@@ -16,6 +16,7 @@
 
 mod base;
 mod benchmark;
+pub mod dissertation;
 mod dynamics;
 pub mod elements;
 mod entry;
@@ -144,6 +145,7 @@ pub const ALL: &[&Benchmark] = &[
     &dynamics::separation::BENCHMARK,
     &strip::linear_response::BENCHMARK,
     &strip::incremental::BENCHMARK,
+    &dissertation::BENCHMARK,
 ];
 
 /// El Centro NS scaled to 0.348 g: the version of the dissertation from the folder `TANKCHECK_RECORDS`, if set, else the textbook

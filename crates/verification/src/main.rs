@@ -26,6 +26,7 @@ Examples:
   cargo run --release -p verification -- --list                       the benchmarks: page, pace, ids of rows
   cargo run --release -p verification -- shell-cook                   one page
   cargo run --release -p verification -- 'F1?' --format json          rows F10 to F17
+  cargo run --release -p verification -- dissertation                 every row that stands beside a number of the dissertation
   cargo run --release -p verification -- elephant --slow              pages and ids with `elephant` in them, fine meshes too
   cargo run --release -p verification -- --format html > verification.html
   cargo run --release -p verification -- --records ~/records          also rows with records that may not be redistributed
@@ -154,9 +155,9 @@ fn records(args: &Args) -> Result<Option<Records>, Error> {
 fn write(folder: &Path, found: &Manual, choice: Choice) -> Result<(), Error> {
     let kept = if folder.join(manual::ROWS).exists() { manual::read(folder)? } else { Vec::new() };
     let merged = manual::merge(&found.rows, &kept, |page, pace| choice.runs(page, pace));
-    let dissertation = match (choice.pattern, choice.slow, choice.records) {
+    let tanks = match (choice.pattern, choice.slow, choice.records) {
         (None, true, Some(records)) => Some(tanks::dissertation::page(records)?),
         _ => None,
     };
-    manual::write(folder, &merged, dissertation)
+    manual::write(folder, &merged, tanks)
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use serde_json::json;
 
 use crate::entry::KINDS;
-use crate::{ALL, Entry, Error, Manual, Pace, find, html};
+use crate::{ALL, Entry, Error, Manual, Pace, dissertation, find, html};
 use files::code::Code;
 use files::{Kind, OutputFolder, settle};
 use report::template::Templates;
@@ -20,15 +20,15 @@ pub const ROWS: &str = "rows.json";
 /// Name of the index.
 pub const INDEX: &str = "README.md";
 
-/// Name of the page of the dissertation, which needs records and minutes.
-const DISSERTATION: &str = "dissertation.md";
+/// Name of the page of the dissertation's tanks on its meshes, which needs three records and minutes.
+const TANKS: &str = "dissertation-tanks.md";
 
 /// The manual: which pages it has follows from its rows, so that only those that it always has are known beforehand.
 const MANUAL: Kind = Kind {
     id: "verify --write",
     option: "--write",
     names: |name| [ROWS, INDEX].contains(&name),
-    keeps: |name| name == DISSERTATION,
+    keeps: |name| name == TANKS,
 };
 
 /// A page: a benchmark with its rows.
@@ -88,6 +88,7 @@ pub fn to_json(manual: &Manual) -> serde_json::Value {
             "reference_kind": row.kind, "reference_source": row.source, "computed": row.computed,
             "error": row.computed.map(|_| row.error()), "tolerance": row.tolerance, "holds": (!row.compares()).then(|| row.holds()),
             "comparison": row.compares(), "counts": row.counts(), "pace": row.pace, "convergence": row.convergence, "remark": row.remark,
+            "printed": row.of_dissertation(),
         })
     };
     json!({
@@ -108,6 +109,12 @@ pub fn cells(row: &Entry) -> [String; 7] {
         row.tolerance.map_or("–".into(), |t| deviation(row, t, false)),
         row.kind.clone(),
     ]
+}
+
+/// The number that the dissertation prints, with its unit; a dash without one.
+pub(crate) fn printed(row: &Entry) -> String {
+    let number = |value| format!("{} {}", significant(value), unit(&row.unit)).trim_end().to_owned();
+    row.of_dissertation().map_or("–".into(), number)
 }
 
 /// A deviation or tolerance: in percent, or as a bare number where the reference is 0 or it is very small.
@@ -141,7 +148,7 @@ fn significant_short(x: f64) -> String {
 }
 
 /// Text in a cell of a Markdown table.
-fn cell(text: &str) -> String {
+pub(crate) fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
@@ -183,14 +190,15 @@ fn page(page: &Page, figure: bool) -> String {
 }
 
 /// Remark on a row.
-fn remark(row: &Entry) -> String {
+pub(crate) fn remark(row: &Entry) -> String {
     let state = match (row.fails(), row.compares()) {
         (true, _) => "**outside**",
         (_, true) => "comparison only",
         _ => "",
     };
-    let both = [state, row.remark.as_str()];
-    cell(&both.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("; "))
+    let printed = row.printed.map_or(String::new(), |_| format!("printed: {}", printed(row)));
+    let all = [state, printed.as_str(), row.remark.as_str()];
+    cell(&all.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("; "))
 }
 
 /// The index: how many rows of each kind, the pages, the ids.
@@ -282,7 +290,11 @@ pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
     let css = templates.css("figure.css");
     for found in pages(rows) {
         let figure = found.figure()?;
-        files.push((format!("{}.md", found.id), page(&found, figure.is_some())));
+        let mut text = page(&found, figure.is_some());
+        if found.id == dissertation::ID {
+            text.push_str(&dissertation::gathered(rows));
+        }
+        files.push((format!("{}.md", found.id), text));
         if let Some(figure) = figure {
             files.push((format!("{}.svg", found.id), figure.standalone(css)));
         }
@@ -313,17 +325,17 @@ pub fn merge(fresh: &[Entry], kept: &[Entry], ran: impl Fn(&str, Pace) -> bool) 
     rows
 }
 
-/// Writes the manual: rows, index, pages and figures, and the page of the dissertation if there is a new one; removes pages of
-/// benchmarks that are gone.
+/// Writes the manual: rows, index, pages and figures, and the page of the dissertation's tanks if there is a new one; removes pages
+/// of benchmarks that are gone.
 ///
 /// Errors: a folder that cannot be written, a drawing that fails.
-pub fn write(folder: &Path, rows: &[Entry], dissertation: Option<String>) -> Result<(), Error> {
+pub fn write(folder: &Path, rows: &[Entry], tanks: Option<String>) -> Result<(), Error> {
     // Everything is made before anything is written.
     let mut files = files(rows)?;
     let lines: Result<Vec<String>, _> = rows.iter().map(serde_json::to_string).collect();
     let lines = lines.map_err(|e| files::error::Error::Report(e.to_string()))?;
     files.push((ROWS.into(), format!("[\n{}\n]\n", lines.join(",\n"))));
-    files.extend(dissertation.map(|text| (DISSERTATION.to_owned(), text)));
+    files.extend(tanks.map(|text| (TANKS.to_owned(), text)));
     let output = OutputFolder::prepare(folder, MANUAL)?;
     for (name, text) in &files {
         put(&output.path().join(name), text.as_bytes())?;
@@ -348,6 +360,7 @@ mod tests {
             unit: "m",
             convergence: vec![(10.0, 0.1), (20.0, 0.05)],
             remark: String::new(),
+            printed: None,
         };
         Entry::of(&row, page, pace)
     }

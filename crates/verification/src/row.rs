@@ -41,6 +41,8 @@ pub struct Row {
     pub convergence: Vec<(f64, f64)>,
     /// What the reader is told beside the numbers; mostly empty.
     pub remark: String,
+    /// The number that the dissertation prints, in `unit`, where the reference is another; the remark says why.
+    pub printed: Option<f64>,
 }
 
 impl Row {
@@ -63,12 +65,18 @@ impl Row {
             unit,
             convergence: Vec::new(),
             remark: String::new(),
+            printed: None,
         }
     }
 
     /// The row with a remark.
     pub fn remarked(self, remark: impl Into<String>) -> Row {
         Row { remark: remark.into(), ..self }
+    }
+
+    /// The row with the number that the dissertation prints, and why its reference is another.
+    pub fn printed(self, printed: f64, reason: impl Into<String>) -> Row {
+        Row { printed: Some(printed), ..self.remarked(reason) }
     }
 
     /// Deviation: relative to the reference, absolute if the reference is 0.

@@ -1,10 +1,10 @@
 //! Choosing benchmarks and running them.
 
 use crate::records::{EL_CENTRO, Records};
-use crate::{ALL, Answer, Benchmark, Entry, Error, Pace, Part};
+use crate::{ALL, Answer, Benchmark, Entry, Error, Pace, Part, dissertation};
 
 /// A selection of benchmarks and rows by name: an id of rows, a page, a part of either, or a glob with `*` and `?`. Letter
-/// case does not matter.
+/// case does not matter. The page of the dissertation is also the rows of other pages that stand beside its numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
     text: String,
@@ -44,7 +44,19 @@ impl Pattern {
 
     /// Whether the pattern selects a row.
     pub fn selects(&self, row: &Entry) -> bool {
-        self.matches(&row.page) || self.matches(&row.id)
+        self.matches(&row.page) || self.matches(&row.id) || (self.gathers() && row.of_dissertation().is_some())
+    }
+
+    /// Whether the pattern is the page that gathers rows of others.
+    fn gathers(&self) -> bool {
+        self.kind == Kind::Whole && self.text == dissertation::ID
+    }
+
+    /// Whether some of the benchmark's rows may be selected.
+    fn concerns(&self, benchmark: &Benchmark) -> bool {
+        self.matches(benchmark.id)
+            || benchmark.ids.iter().any(|id| self.matches(id.0))
+            || (self.gathers() && dissertation::PAGES.contains(&benchmark.id))
     }
 }
 
@@ -100,11 +112,7 @@ pub struct Choice<'a> {
 impl Choice<'_> {
     /// The benchmarks of the pattern.
     pub fn benchmarks(&self) -> impl Iterator<Item = &'static Benchmark> {
-        let chosen = |benchmark: &&Benchmark| {
-            self.pattern.is_none_or(|pattern| {
-                pattern.matches(benchmark.id) || benchmark.ids.iter().any(|id| pattern.matches(id.0))
-            })
-        };
+        let chosen = |benchmark: &&Benchmark| self.pattern.is_none_or(|pattern| pattern.concerns(benchmark));
         ALL.iter().copied().filter(chosen)
     }
 
@@ -217,6 +225,8 @@ mod tests {
         assert_eq!(chosen("*-elephant-*"), ["shell-elephant-foot"]);
         assert_eq!(chosen("nothing-of-this-name"), [""; 0]);
         assert_eq!(chosen("C?2"), ["strip-incremental"]);
+        // The page of the dissertation brings those whose rows it gathers.
+        assert_eq!(chosen("dissertation").len(), 1 + dissertation::PAGES.len());
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub(crate) mod two_masses;
 pub(crate) mod wall_modes;
 
 /// The dissertation's g [m/s²].
-const G: f64 = 9.81;
+pub(crate) const G: f64 = 9.81;
 
 /// A record as the dissertation describes its treatment: scaled to 0.5 g, its time axis compressed by √3.
 pub(crate) fn as_described(original: &Record) -> Record {

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use verification::{ALL, Benchmark, Entry, Part, manual};
+use verification::{ALL, Benchmark, Entry, Part, dissertation, manual};
 
 fn main() -> ExitCode {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verification");
@@ -31,6 +31,8 @@ fn main() -> ExitCode {
             Trial::test(benchmark.id, move || check(benchmark, &kept))
         })
         .collect();
+    let gathered = Arc::clone(&kept);
+    trials.push(Trial::test("the-dissertation-gathers-its-rows", move || gathers_its_rows(&gathered)));
     trials.push(Trial::test("ids-have-a-meaning", move || ids_have_a_meaning(&kept)));
     libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
 }
@@ -83,6 +85,23 @@ fn differences(fresh: &[Entry], kept: &[&Entry]) -> Vec<String> {
         faults.push("cargo run --release -p verification -- --slow --write docs/verification".into());
     }
     faults
+}
+
+/// The pages with printed numbers are those that the page of the dissertation gathers, and each of these rows can fail.
+fn gathers_its_rows(kept: &[Entry]) -> Result<(), Failed> {
+    let printed = || kept.iter().filter(|row| row.of_dissertation().is_some());
+    let mut faults: Vec<String> = printed()
+        .filter(|row| row.compares())
+        .map(|row| format!("{} {}: a row beside a printed number that cannot fail", row.id, row.what))
+        .collect();
+    let gathered = |page: &str| page == dissertation::ID || dissertation::PAGES.contains(&page);
+    faults.extend(
+        printed().filter(|row| !gathered(&row.page)).map(|row| format!("{}: not in dissertation::PAGES", row.page)),
+    );
+    let without = |page: &&&str| !printed().any(|row| row.page == **page);
+    faults.extend(dissertation::PAGES.iter().filter(without).map(|page| format!("{page}: no printed number")));
+    faults.dedup();
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }
 
 /// Every id of a row of the manual is declared by its benchmark, and every declared id has rows.

@@ -75,49 +75,36 @@ pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
     }
 
     let particle = run(penalty, Criterion::Particle, h)?;
-    let published = "dissertation, table 8.15: 51.0/50.4 kNm/m, 44.0/43.9 cm";
     let ratio = |pair: &[Peaks; 2]| {
         let (m, w) = worse(pair);
         [m / moment, w / wave]
     };
     let both = "linear liquid: theory of the rigid wall lets it part only near the surface";
+    let reason = "51.0/50.4 kNm/m and 44.0/43.9 cm: no influence there either; 1.2 % in the moment are open";
     for (k, (what, tolerance, theirs)) in
         [("moment", 0.02, 51.0 / 50.4), ("wave", 0.01, 44.0 / 43.9)].into_iter().enumerate()
     {
         let found = ratio(&particle)[k];
-        rows.push(row(
-            format!("joint that opens, displaced particle: {what} over the bonded one"),
-            (1.0, both, Reference::SecondFormulation),
-            found,
-            (tolerance, ""),
-        ));
-        rows.push(row(
-            format!("joint that opens, displaced particle: {what} over the bonded one, published"),
-            (theirs, published, Reference::Dissertation),
-            found,
-            (f64::INFINITY, ""),
-        ));
+        let what = format!("joint that opens, displaced particle: {what} over the bonded one");
+        let row = row(what, (1.0, both, Reference::SecondFormulation), found, (tolerance, ""));
+        rows.push(row.printed(theirs, reason));
     }
     // The published moments are total, with the hydrostatic one.
     let weight = liquid().density * liquid().gravity;
     let rest = weight * DEPTH.powi(3) / 6.0;
-    let theirs = ("dissertation, table 8.15", Reference::Dissertation);
-    let prototype = ("prototype, 1 % damping, El Centro NS 0.348 g (theory sheet)", Reference::SecondFormulation);
-    for (what, reference, (source, kind), computed, unit) in [
-        ("total moment at the base, contact", 51.0e3, theirs, rest + worse(&particle).0, "Nm/m"),
-        ("total moment at the base, linear", 50.4e3, theirs, rest + moment, "Nm/m"),
-        ("wave, contact", 0.440, theirs, worse(&particle).1, "m"),
-        ("wave, linear", 0.439, theirs, wave, "m"),
-        ("total moment at the base, linear, prototype", 53.7e3, prototype, rest + moment, "Nm/m"),
-        ("wave, linear, prototype", 0.441, prototype, wave, "m"),
+    let prototype = "prototype, 1 % damping, El Centro NS 0.348 g (theory sheet)";
+    let place = "a printed moment is that of the middle of the lowest element (table 8.12: 25 of 28.3 kNm/m at rest)";
+    let unknown = "the damping of the table is not printed";
+    for (what, reference, printed, computed, unit, reason) in [
+        ("total moment at the base, contact", 53.7e3, 51.0e3, rest + worse(&particle).0, "Nm/m", place),
+        ("total moment at the base, linear", 53.7e3, 50.4e3, rest + moment, "Nm/m", place),
+        ("wave, contact", 0.441, 0.440, worse(&particle).1, "m", unknown),
+        ("wave, linear", 0.441, 0.439, wave, "m", unknown),
     ] {
-        rows.push(row(
-            format!("table 8.15: {what}"),
-            (reference, source, kind),
-            computed,
-            // Only for the record of the dissertation.
-            (f64::INFINITY, unit),
-        ));
+        let what = format!("table 8.15: {what}");
+        // As C11, which has the same wall and record.
+        let row = row(what, (reference, prototype, Reference::SecondFormulation), computed, (0.02, unit));
+        rows.push(row.printed(printed, reason));
     }
 
     // Penalty and step, on the wall that is loaded more.
@@ -208,6 +195,9 @@ mod tests {
     #[test]
     fn rows_hold() {
         let record = crate::test_record();
-        crate::row::assert_held(&separation(&record.acceleration, record.dt).unwrap());
+        let mut rows = separation(&record.acceleration, record.dt).unwrap();
+        // The table belongs to one version of the record.
+        rows.retain(|row| !row.what.starts_with("table 8.15"));
+        crate::row::assert_held(&rows);
     }
 }

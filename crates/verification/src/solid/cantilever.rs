@@ -35,6 +35,9 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     parts: &[Part::Fast(statics), Part::Fast(frequencies), Part::Fast(harmonic)],
 };
 
+/// Source of the printed numbers.
+pub(super) const PRINTED: &str = "dissertation 6.4.1";
+
 pub(super) const LENGTH: f64 = 2.5;
 
 pub(super) const DEPTH: f64 = 0.1;
@@ -153,6 +156,14 @@ pub(super) fn statics() -> Answer {
     );
     c1.convergence = convergence.clone();
     rows.push(c1);
+    // Half of the last digit, and the locking of 400 bricks; the print is that of a beam without shear.
+    rows.push(Row::new(
+        "C1",
+        "deflection of the tip, 400 bricks",
+        (0.0625, PRINTED, Reference::Dissertation),
+        fine,
+        (2.8e-3, "m"),
+    ));
     let at_200 = beam_deflection() * (1.0 + convergence[6].1);
     rows.push(Row::new(
         "C1",
@@ -172,6 +183,9 @@ pub(super) fn statics() -> Answer {
             beam.tip_motion(&u)[0],
             (1e-9, "m"),
         ));
+        // Half of the last digit.
+        let printed = (2.5e-4, PRINTED, Reference::Dissertation);
+        rows.push(Row::new("C2", format!("extension, {bricks} bricks"), printed, beam.tip_motion(&u)[0], (0.02, "m")));
     }
     Ok(rows)
 }
@@ -264,5 +278,8 @@ pub(super) fn frequencies() -> Answer {
     );
     fine.convergence = convergence.iter().map(|(n, w)| (*n, w[0] / 56.197 - 1.0)).collect();
     rows.push(fine);
+    // Half of the last digit, 0.09 %, and shear and rotary inertia, with which a beam has 56.20: 0.36 %.
+    let printed = (56.4, PRINTED, Reference::Dissertation);
+    rows.push(Row::new("C3", "ω_1, 400 bricks", printed, convergence[3].1[0], (4.5e-3, "rad/s")));
     Ok(rows)
 }

@@ -43,6 +43,12 @@ fn with_bars_of(section: FibreSection) -> Result<FibreSection, StripError> {
     Ok(section.bars(Arc::new(bar), &[[-depth, area], [depth, area]])?)
 }
 
+/// Bending stiffness of the bars of both faces [N m²/m].
+pub(super) fn bars_bending() -> f64 {
+    let [area, depth] = BARS;
+    2.0 * BAR[0] * area * depth * depth
+}
+
 /// Concrete that never carries tension.
 fn cracked_concrete() -> Result<UniaxialConcrete, StripError> {
     let compression = Compression::Plastic { strength: COMPRESSION };

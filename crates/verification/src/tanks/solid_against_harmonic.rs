@@ -94,6 +94,7 @@ fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: 
             meshes.iter().zip(&runs).map(|(refine, run)| (1.0 / refine, (value(run) / expected - 1.0).abs())).collect();
         rows.push(Row {
             remark: String::new(),
+            printed: None,
             id: format!("solid-{name}"),
             what: format!("{}, refinement {}", quantity.title(), meshes[meshes.len() - 1]),
             reference: expected / scale,

@@ -111,6 +111,7 @@ fn waves() -> Answer {
         let step = PI / 16.0 * f64::from(i.max(j));
         rows.push(Row {
             remark: String::new(),
+            printed: None,
             id: "box-waves".into(),
             what: format!("ω of wave ({i}, {j}), 8 elements over each half side"),
             reference: exact,
