@@ -292,7 +292,7 @@ pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
         let figure = found.figure()?;
         let mut text = page(&found, figure.is_some());
         if found.id == dissertation::ID {
-            text.push_str(&dissertation::gathered(rows));
+            text.push_str(&dissertation::page::gathered(rows));
         }
         files.push((format!("{}.md", found.id), text));
         if let Some(figure) = figure {

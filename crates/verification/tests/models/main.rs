@@ -4,6 +4,7 @@
 mod bulging;
 mod convergence;
 mod manual;
+mod map;
 mod motions;
 mod observables;
 mod program;
