@@ -76,11 +76,11 @@ impl Procedure for Aci3502006 {
         }
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Rules::applies(self, case, excitation)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         two_mass::assess(self, case, excitation)
     }
 }

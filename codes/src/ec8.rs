@@ -146,7 +146,7 @@ impl Procedure for En2006 {
         case.site.ec8.map(|_| modal::action(case, reduced))
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         applies(case, excitation, Edition::En2006)
     }
 
@@ -154,7 +154,7 @@ impl Procedure for En2006 {
         snow_share(case)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         assess(&case.with_snow(self.snow_share(case)), excitation, Edition::En2006)
     }
 }
@@ -176,7 +176,7 @@ impl Procedure for Env1998 {
         limit_states::all(case, Edition::Env1998)
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         applies(case, excitation, Edition::Env1998)
     }
 
@@ -184,7 +184,7 @@ impl Procedure for Env1998 {
         snow_share(case)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         assess(&case.with_snow(self.snow_share(case)), excitation, Edition::Env1998)
     }
 }

@@ -1,4 +1,4 @@
-//! IS 1893-2:2014 and the IITK-GSDMA guidelines of 2007, ground-supported tanks (`is1893-2014`): the chain of `codes::two_mass` with
+//! IS 1893-2:2014 and the IITK-GSDMA guidelines of 2007 (`is1893-2014`): the chain of `codes::two_mass` with
 //!
 //! ```text
 //! A_i = Z/2 I/R k_i S_a(T_i)/g      A_c = Z/2 I/R k_c S_a(T_c)/g      A_w = R A_c      A_v = 2/3 Z/2 I/R 2.5
@@ -9,10 +9,11 @@
 //!
 //! The guideline has the plateau of S_a/g from T = 0 on; the rising branch up to 0.1 s of part 1 is not used, on the safe side.
 //!
-//! Elevated tanks on a staging are not covered: a tank file has no staging.
+//! A tank on a staging (`tank.staging`) has its impulsive period, R and resultants from `staging`.
 
 mod limit_states;
 mod site;
+mod staging;
 #[cfg(test)]
 mod tests;
 
@@ -66,11 +67,15 @@ impl Procedure for Is18932014 {
         }
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers_staging(&self) -> bool {
+        true
+    }
+
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Rules::applies(self, case, excitation)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         two_mass::assess(self, case, excitation)
     }
 }
@@ -98,7 +103,14 @@ impl Rules for Is18932014 {
     }
 
     fn impulsive_period(&self, work: &mut Work, masses: &Masses) -> Result<Option<Impulsive>, CodeError> {
-        Ok(Some(periods::impulsive(work, masses, PERIOD)))
+        Ok(Some(match work.case.tank.staging {
+            Some(staging) => staging::period(work, &staging),
+            None => periods::impulsive(work, masses, PERIOD),
+        }))
+    }
+
+    fn beneath(&self, work: &mut Work) -> Result<(), CodeError> {
+        work.case.tank.staging.map_or(Ok(()), |staging| staging::resultants(work, &staging))
     }
 
     fn action(&self, work: &mut Work, periods: &Periods) -> Result<Action, CodeError> {
@@ -109,8 +121,12 @@ impl Rules for Is18932014 {
         PressureShape::Housner
     }
 
-    fn assumptions(&self, _case: &Case, excitation: Excitation) -> Vec<String> {
-        let mut all = vec!["The base slab is left out of shear and moments.".to_string()];
+    fn assumptions(&self, case: &Case, excitation: Excitation) -> Vec<String> {
+        let mut all = vec![match case.tank.staging {
+            Some(_) => "The staging is a spring without inertia of rotation; sloshing and staging are two masses that do not feel each other.",
+            None => "The base slab is left out of shear and moments.",
+        }
+        .to_string()];
         if excitation == Excitation::Site {
             all.push(
                 "Spectrum of IS 1893-1 with its plateau from T = 0 on and its last value beyond 4 s, on the safe side."

@@ -68,11 +68,11 @@ impl Procedure for National {
         TABLE.iter().map(|state| state.under(state.clause.into(), case)).collect()
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Rules::applies(self, case, excitation)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         two_mass::assess(self, case, excitation)
     }
 }

@@ -100,8 +100,31 @@ pub trait Procedure: Sync {
     fn snow_share(&self, _case: &Case) -> f64 {
         0.0
     }
+    /// Whether it has rules for a tank on a staging.
+    fn covers_staging(&self) -> bool {
+        false
+    }
+    /// Whether the procedure covers this case under this excitation, its staging apart; if not, the clause and the reason.
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable>;
+    /// Runs the procedure on a tank whose staging it covers. Callers need not call [`Procedure::covers`] before.
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError>;
     /// Whether the procedure covers this case under this excitation; if not, the clause and the reason.
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable>;
+    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+        standing(case, self.covers_staging())?;
+        self.covers(case, excitation)
+    }
     /// Runs the procedure. Callers need not call [`Procedure::applies`] before.
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError>;
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        standing(case, self.covers_staging())?;
+        self.run(case, excitation)
+    }
+}
+
+/// Refuses a tank on a staging which a procedure does not cover.
+fn standing(case: &Case, covered: bool) -> Result<(), NotApplicable> {
+    if covered || case.tank.staging.is_none() {
+        return Ok(());
+    }
+    let reason = "the tank stands on a staging; this procedure is for tanks on the ground";
+    Err(NotApplicable { clause: "tank.staging".into(), reason: reason.into() })
 }

@@ -71,6 +71,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            staging: None,
             rings: Vec::new(),
             attachments: Vec::new(),
             subsoil: tank::Subsoil::default(),

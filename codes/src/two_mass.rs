@@ -66,6 +66,12 @@ pub(crate) trait Rules: Sync {
     fn impulsive_period(&self, work: &mut Work, masses: &Masses) -> Result<Option<Impulsive>, CodeError>;
     /// Lines of the accelerations of its site.
     fn action(&self, work: &mut Work, periods: &Periods) -> Result<Action, CodeError>;
+    /// Lines of what carries the container, after those of base shear and moments; of a tank on the ground none.
+    ///
+    /// Errors: missing site data.
+    fn beneath(&self, _work: &mut Work) -> Result<(), CodeError> {
+        Ok(())
+    }
     /// Line of the share ε of the wall that counts; none where all of it counts.
     fn wall_share(&self, _work: &mut Work) -> Option<f64> {
         None
@@ -158,9 +164,13 @@ pub(crate) fn assess(rules: &dyn Rules, case: &Case, excitation: Excitation) -> 
     };
     let share = rules.wall_share(&mut work);
     work.resultants(share, clauses);
+    rules.beneath(&mut work)?;
     work.wave(clauses);
     let stresses = work.wall(rules, &masses, &action, share.unwrap_or(1.0));
-    work.ingredients(&masses, &periods, &action, share.unwrap_or(1.0), stresses);
+    // No other method covers a tank on a staging, with which it would be compared.
+    if case.tank.staging.is_none() {
+        work.ingredients(&masses, &periods, &action, share.unwrap_or(1.0), stresses);
+    }
     let Work { sheet, mut out, .. } = work;
     out.recalled = sheet.recalled().to_vec();
     if !out.recalled.is_empty() {

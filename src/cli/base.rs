@@ -75,6 +75,9 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for warning in &tank.warnings {
         warn("", warning);
     }
+    if tank.case.tank.staging.is_some() {
+        return Err(elevated(&args.tank));
+    }
     let base = Base::of(&tank.case).map_err(|missing| absent(&args.tank, missing))?;
     let base = if args.elastic { base.elastic() } else { base };
     if !base.yields() && !args.elastic {
@@ -112,7 +115,14 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
 }
 
 fn absent(file: &Path, missing: Missing) -> Error {
-    let (found, help) = words::absent(missing == Missing::Cylinder, missing == Missing::Plate);
+    unsupported(file, words::absent(missing == Missing::Cylinder, missing == Missing::Plate))
+}
+
+fn elevated(file: &Path) -> Error {
+    unsupported(file, words::ELEVATED)
+}
+
+fn unsupported(file: &Path, (found, help): (&str, &str)) -> Error {
     Error::input(Code::Unsupported, format!("{found}\n  --> {}\n  help: {help}", text::line(&file.to_string_lossy())))
 }
 

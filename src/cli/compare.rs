@@ -132,9 +132,14 @@ enum Engine {
 }
 
 impl Engine {
-    /// The engine that runs where none is asked for: cantilevers do not stand for the walls of a short box.
+    /// The engine that runs where none is asked for: cantilevers do not stand for the walls of a short box, and no engine models a staging, which
+    /// the reader warns of.
     fn usual(case: &Case) -> Engine {
-        if case.tank.bends_as_plates() { Engine::Solid } else { Engine::Harmonic }
+        match case.tank.staging {
+            Some(_) => Engine::None,
+            None if case.tank.bends_as_plates() => Engine::Solid,
+            None => Engine::Harmonic,
+        }
     }
 
     /// The engines that run, in this order.

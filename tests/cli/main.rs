@@ -49,6 +49,7 @@ mod shared_model;
 mod small;
 mod solid;
 mod solve;
+mod staging;
 mod streams;
 mod study;
 mod study_machines;

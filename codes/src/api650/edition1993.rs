@@ -99,7 +99,7 @@ impl Procedure for Api6501993 {
         limit_states::TABLE
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Basis::new(case, EDITION)?;
         let reason = match excitation {
             Excitation::Record if case.ground_motion.is_none() => "no record given",
@@ -116,8 +116,8 @@ impl Procedure for Api6501993 {
         SNOW_OF_API
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
-        self.applies(case, excitation)?;
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        self.covers(case, excitation)?;
         let case = &*case.with_snow(self.snow_share(case));
         let basis = Basis::new(case, EDITION)?;
         let mut sheet = Sheet::new();

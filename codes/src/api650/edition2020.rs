@@ -225,7 +225,7 @@ impl Procedure for Api6502020 {
         Some(modal::action(case, annex, reduced))
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Basis::new(case, EDITION)?;
         let reason = match excitation {
             Excitation::Record if case.ground_motion.is_none() => "no record given",
@@ -239,8 +239,8 @@ impl Procedure for Api6502020 {
         SNOW_OF_API
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
-        self.applies(case, excitation)?;
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        self.covers(case, excitation)?;
         let case = &*case.with_snow(self.snow_share(case));
         let basis = Basis::new(case, EDITION)?;
         let mut run = Run::new(basis, excitation);

@@ -51,11 +51,11 @@ impl Procedure for Housner {
         }))
     }
 
-    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+    fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         motion::available(case, excitation)
     }
 
-    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+    fn run(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
         let plan = Plan::from(case.tank.shape);
         let choice = case.procedures.housner_convective;
         let combination = case.procedures.housner_combination;

@@ -1,20 +1,22 @@
 //! Accelerations of IS 1893-2 from zone, soil, importance and response reduction.
 
-use tank::Support;
-use tank::WallBase;
 use tank::case::Case;
 use tank::factor::Factor;
 use tank::ingredients::Ordinate;
 use tank::national::{Is1893Site, Soil, Zone};
 use tank::units::Dimension::Dimensionless;
+use tank::{StagingKind, Support, WallBase};
 
-use super::CLAUSES;
+use super::{CLAUSES, staging};
 use crate::procedure::CodeError;
+use crate::sheet::Sheet;
 use crate::two_mass::{Action, Periods, Work};
 
 const ZONE: &str = "IS 1893-1 table 3";
 const SPECTRUM: &str = "IS 1893-1 6.4.2";
-const IMPORTANCE: &str = "IS 1893-2:2014 table 1, one source";
+const IMPORTANCE: &str = "IS 1893-2:2014 table 1";
+const TABLE: &str = "IS 1893-2:2014 table 2";
+const OF_FRAMES: &str = "IS 1893-2:2014 table 2, one source";
 const REDUCTION: &str = "IS 1893-2:2014 table 2, recalled";
 const DAMPING: &str = "IITK-GSDMA 2007 4.4, 4.5.4";
 const VERTICAL: &str = "IITK-GSDMA 2007 4.10, one source";
@@ -43,41 +45,65 @@ fn ordinate(soil: Soil, symbol: &str, period: f64) -> String {
     if period > LAST { last.into() } else { format!("min(2.5, {falling}/{symbol})") }
 }
 
-/// Response reduction R: the user's, or that of the kind of base.
+/// Response reduction R: the user's, or that of the kind of base or staging.
 ///
-/// Errors: a flexible base of concrete, of which two recollections differ.
+/// Errors: a flexible base of concrete, of which two recollections differ; a shaft, of which the code has a range.
 fn reduction(site: &Is1893Site, case: &Case) -> Result<(f64, &'static str), CodeError> {
     if let Some(given) = site.response_reduction {
         return Ok((given, "site.is1893.response_reduction"));
+    }
+    let missing = |known: &str| CodeError::Data {
+        clause: TABLE.into(),
+        reason: format!("`site.is1893.response_reduction` is missing: {known}"),
+    };
+    if let Some(staging) = case.tank.staging {
+        return match staging.kind {
+            StagingKind::DuctileRcFrame => Ok((2.5, TABLE)),
+            StagingKind::RcFrame => Ok((1.8, OF_FRAMES)),
+            StagingKind::SteelFrame => Ok((2.5, REDUCTION)),
+            StagingKind::RcShaft => {
+                Err(missing("for shafts a public table has 1.5 to 1.8, and this program knows 1.3 to 1.8 from memory"))
+            }
+        };
     }
     let anchored = case.tank.support == Support::Anchored;
     let flexible = matches!(case.tank.wall_base, WallBase::Sliding { .. });
     match (case.tank.is_metal(), anchored) {
         (true, true) => Ok((2.5, REDUCTION)),
         (true, false) => Ok((2.0, REDUCTION)),
-        (false, true) if flexible => Err(CodeError::Data {
-            clause: "IS 1893-2:2014 table 2".into(),
-            reason: "`site.is1893.response_reduction` is missing: this program knows 2.5 and 3.5 from memory for an anchored flexible \
-                     base of concrete, and neither is confirmed"
-                .into(),
-        }),
+        (false, true) if flexible => Err(missing(
+            "this program knows 2.5 and 3.5 from memory for an anchored flexible base of concrete, and neither is confirmed",
+        )),
         (false, true) => Ok((2.0, REDUCTION)),
         (false, false) => Ok((1.5, REDUCTION)),
     }
+}
+
+/// Lines of the acceleration of the empty tank, below those of [`action`].
+///
+/// Errors: no site data.
+pub(super) fn empty(sheet: &mut Sheet, case: &Case, period: f64) -> Result<(), CodeError> {
+    let Some(site) = case.site.is1893 else { return Err(missing_site()) };
+    sheet.calc("S_e", "S_a/g at T_e, 5 % damping", &ordinate(site.soil, "T_e", period), Dimensionless, SPECTRUM);
+    let name = "acceleration of the empty tank [g]";
+    sheet.calc("A_e", name, "Z/2·I/R·k_i·S_e", Dimensionless, CLAUSES.action);
+    Ok(())
+}
+
+fn missing_site() -> CodeError {
+    CodeError::Data { clause: CLAUSES.action.into(), reason: "`site.is1893` is not given".into() }
 }
 
 /// Lines of the accelerations.
 pub(super) fn action(work: &mut Work, periods: &Periods) -> Result<Action, CodeError> {
     // `applies` has asked before.
     let (Some(site), Some(impulsive)) = (work.case.site.is1893, periods.impulsive) else {
-        return Err(CodeError::Data { clause: CLAUSES.action.into(), reason: "`site.is1893` is not given".into() });
+        return Err(missing_site());
     };
     let (r, source) = reduction(&site, work.case)?;
-    let structure = if work.case.tank.is_metal() { 1.40 } else { 1.0 };
-    let of_structure = if work.case.tank.is_metal() {
-        "factor from 5 % to the 2 % damping of steel"
-    } else {
-        "factor of the 5 % damping of concrete"
+    let (structure, of_structure) = match staging::is_steel(work.case) {
+        true => (1.40, "factor from 5 % to the 2 % damping of steel"),
+        false => (1.0, "factor of the 5 % damping of concrete"),
     };
     let sheet = &mut work.sheet;
     for (symbol, name, value, clause) in [

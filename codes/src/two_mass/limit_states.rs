@@ -31,8 +31,19 @@ pub(crate) fn unanchored(case: &Case) -> Requirement {
 /// Anchors of a tank that is held down.
 pub(crate) fn anchored(case: &Case) -> Requirement {
     match case.tank.support {
+        Support::Anchored if case.tank.staging.is_some() => {
+            NotApplicable("the container is fixed to its staging".into())
+        }
         Support::Anchored => NotImplemented,
         Support::Unanchored => NotApplicable("the tank is unanchored".into()),
+    }
+}
+
+/// Members of a staging.
+pub(crate) fn on_staging(case: &Case) -> Requirement {
+    match case.tank.staging {
+        Some(_) => NotImplemented,
+        None => NotApplicable("the tank stands on the ground".into()),
     }
 }
 

@@ -15,25 +15,25 @@ impl Work<'_> {
         let wall = if share.is_some() { "ε·m_w" } else { "m_w" };
         let tank = &self.case.tank;
         let of_wall = share.unwrap_or(1.0) * tank.wall_mass();
-        self.sheet.section("Base shear and moments");
-        for (symbol, name, quantity, dimension, clause, [at_wall, at_liquid, roof, sloshing]) in [
-            ("Q", "base shear", Quantity::BaseShear, Force, clauses.shear, ["", "", "", ""]),
-            (
-                "M",
+        let [heading, shear, above, below] = match tank.staging {
+            None => [
+                "Base shear and moments",
+                "base shear",
                 "moment just above the base",
-                Quantity::BaseMoment,
-                Moment,
-                clauses.moments,
-                ["·h_w", "·h_i", "·h_r", "·h_c"],
-            ),
-            (
-                "M′",
                 "moment below the base, with base pressure",
-                Quantity::OverturningMoment,
-                Moment,
-                clauses.moments,
-                ["·h_w", "·h_i′", "·h_r", "·h_c′"],
-            ),
+            ],
+            Some(_) => [
+                "Shear and moments at the bottom of the wall",
+                "shear of wall and liquid",
+                "moment just above the bottom",
+                "moment below the bottom, with its pressure",
+            ],
+        };
+        self.sheet.section(heading);
+        for (symbol, name, quantity, dimension, clause, [at_wall, at_liquid, roof, sloshing]) in [
+            ("Q", shear, Quantity::BaseShear, Force, clauses.shear, ["", "", "", ""]),
+            ("M", above, Quantity::BaseMoment, Moment, clauses.moments, ["·h_w", "·h_i", "·h_r", "·h_c"]),
+            ("M′", below, Quantity::OverturningMoment, Moment, clauses.moments, ["·h_w", "·h_i′", "·h_r", "·h_c′"]),
         ] {
             let mut part = |index: &str, what: &str, formula: &str| {
                 let (symbol, name) = (format!("{symbol}_{index}"), format!("{name}, {what}"));

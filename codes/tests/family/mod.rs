@@ -147,6 +147,7 @@ impl Draw {
             wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            staging: None,
             rings: Vec::new(),
             attachments: Vec::new(),
             subsoil: tank::Subsoil::default(),

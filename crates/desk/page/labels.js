@@ -14,6 +14,7 @@ const NAMES = {
   breadth: ['Breadth', 'Breite'], strip: ['Strip 1 m wide', 'Streifen von 1 m'], support: ['Support', 'Lagerung'],
   courses: ['Courses', 'Schüsse'], wall_base: ['Joint of wall and base', 'Anschluss Wand–Sohle'], roof: ['Roof', 'Dach'],
   bottom: ['Bottom plate', 'Bodenblech'], foundation: ['Foundation', 'Gründung'], isolators: ['Isolators', 'Isolatoren'],
+  staging: ['Staging', 'Traggerüst'], floor_mass: ['Floor mass', 'Masse des Bodens'], floor_centre: ['Centre of the floor', 'Schwerpunkt des Bodens'],
   anchors: ['Anchors', 'Anker'], pressure: ['Gas pressure', 'Gasdruck'], pipes: ['Pipes', 'Rohrleitungen'],
   internals: ['Internal equipment', 'Einbauten'], adjacent_structures: ['Adjacent structures', 'Angrenzende Bauten'],
   height: ['Height', 'Höhe'], thickness: ['Thickness', 'Dicke'], material: ['Material', 'Werkstoff'],

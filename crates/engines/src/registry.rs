@@ -20,6 +20,16 @@ pub fn engine(id: EngineId) -> &'static dyn Engine {
     ALL[id as usize]
 }
 
+/// A tank on a staging, of which no engine has a model: each holds the bottom to the ground.
+pub(crate) fn elevated(task: &Task<'_>) -> Option<Refusal> {
+    task.case.tank.staging?;
+    let message = "not applicable: the tank stands on a staging; the finite-element engines model tanks on the ground";
+    Some(
+        Refusal::new(Place::Staging, message, "no tank.staging")
+            .help("use `tankcheck check`, or `compare --fe none`, for the codes alone"),
+    )
+}
+
 /// A box whose walls are plates, which the harmonic engine would take for cantilevers.
 fn plates(task: &Task<'_>) -> Option<Refusal> {
     let tank = &task.case.tank;
@@ -116,6 +126,7 @@ impl Engine for Harmonic {
             .chain(plates(task))
             .chain(joint(task, EngineId::Harmonic))
             .chain(turning(task, EngineId::Harmonic))
+            .chain(elevated(task))
             .collect()
     }
 
@@ -159,6 +170,7 @@ impl Engine for Solid {
         all.extend(box_on_isolators(task));
         all.extend(joint(task, EngineId::Solid));
         all.extend(turning(task, EngineId::Solid));
+        all.extend(elevated(task));
         all
     }
 
@@ -189,6 +201,7 @@ impl Engine for Nonlinear {
             );
         }
         all.extend(turning(task, EngineId::Nonlinear));
+        all.extend(elevated(task));
         all
     }
 

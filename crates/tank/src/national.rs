@@ -48,7 +48,7 @@ keys! {
             = default(Number(1.5)).because("IS 1893-2:2014, drinking water and petroleum"),
         /// Response reduction factor R.
         @"Option::is_none" response_reduction (2.0): Opt<Number> [REDUCTION]
-            = without("by the kind of base: IS 1893-2:2014, recalled"),
+            = without("by the kind of base or staging: IS 1893-2:2014 table 2"),
     }
 
     /// Data of a national code for the chain of Housner's masses with SRSS, beside its spectrum in `site.spectrum`. With them its procedure

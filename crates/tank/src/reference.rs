@@ -54,6 +54,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             wall_base: crate::tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            staging: None,
             rings: Vec::new(),
             attachments: Vec::new(),
             subsoil: crate::Subsoil::default(),

@@ -11,6 +11,8 @@ pub enum Place {
     Support,
     /// Joint between its wall and its base.
     WallBase,
+    /// Staging under it.
+    Staging,
     /// Mass of its roof.
     Roof,
     /// A course, counted from 0.

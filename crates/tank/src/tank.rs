@@ -9,6 +9,7 @@ mod joint;
 mod layers;
 mod parts;
 mod plane;
+mod staging;
 
 pub use behaviour::{
     Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, SLOPE, STRESS, Softening, Steel,
@@ -21,6 +22,7 @@ pub use joint::WallBase;
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Attachment, Insulation, Pipes, RimSupport, Ring, Roof, RoofKind, SnowLoad};
 pub use plane::PLANE_WALLS;
+pub use staging::{Staging, StagingKind};
 
 use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};
 use crate::words;
@@ -235,6 +237,9 @@ pub struct Tank {
     /// Isolators under the slab, where given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub isolators: Option<Isolators>,
+    /// Staging of an elevated tank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub staging: Option<Staging>,
     /// Anchors, where given.
     pub anchors: Option<Anchors>,
     /// Pressure above the liquid.
@@ -329,6 +334,12 @@ impl Tank {
     /// Whether the wall is a metal shell throughout, without layers.
     pub fn is_metal(&self) -> bool {
         is_metal(&self.courses)
+    }
+
+    /// Whether the wall is monolithic with its floor: not a metal shell, held down, and clamped; or the container of an elevated tank.
+    pub fn is_monolithic(&self) -> bool {
+        let clamped = !self.is_metal() && self.support == Support::Anchored && self.wall_base.is_fixed();
+        clamped || self.staging.is_some()
     }
 
     /// Materials of the shells of the wall, from the base up.

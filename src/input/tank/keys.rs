@@ -38,6 +38,7 @@ mod roof;
 mod site;
 mod solid;
 mod spectrum;
+mod staging;
 mod tank;
 mod temperature;
 mod unsaid;
@@ -85,7 +86,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
     let site = site::site(&mut r, &file.site, tank.as_ref(), folder);
     let (procedures, run) = procedures::procedures(&mut r, &file.procedures);
-    let [unstated, without] = unsaid::unsaid(&file.tank);
+    let [unstated, without] = unsaid::unsaid(&file.tank, tank.as_ref());
     let decision = Decision {
         decide: procedures::deciding(&mut r, &file.procedures),
         accepted: accepted::accepted(&mut r, &file.accepted),

@@ -223,6 +223,7 @@ fn tank(kind: Kind) -> Tank {
         wall_base: tank::WallBase::Fixed,
         foundation: None,
         isolators: None,
+        staging: None,
         rings: Vec::new(),
         attachments: Vec::new(),
         subsoil: tank::Subsoil::default(),

@@ -98,6 +98,7 @@ mod tests {
             wall_base: tank::WallBase::Fixed,
             foundation: None,
             isolators: None,
+            staging: None,
             rings: Vec::new(),
             attachments: Vec::new(),
             subsoil: tank::Subsoil::default(),

@@ -86,7 +86,9 @@ pub struct Pushed {
 
 /// Everything that a pushover refuses of a case; empty if it can run.
 pub fn refuses(task: &Task<'_>) -> Vec<Refusal> {
-    refusals(task.case, task.nonlinear, Purpose::Pushover)
+    let mut all = refusals(task.case, task.nonlinear, Purpose::Pushover);
+    all.extend(crate::registry::elevated(task));
+    all
 }
 
 /// Pushes the perfect shell, and the imperfect one if there is one.

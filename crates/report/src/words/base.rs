@@ -59,6 +59,10 @@ pub fn softened(reason: &str) -> String {
 pub const ELASTIC: &str =
     "the material of the bottom plate has no yield_strength: the plate stays elastic, and lifts less than it would";
 
+/// A tank on a staging.
+pub const ELEVATED: (&str, &str) =
+    ("not applicable: the tank stands on a staging and has no base on the ground", "remove tank.staging");
+
 /// Why there is nothing to lift, and what to do.
 pub fn absent(cylinder: bool, plate: bool) -> (&'static str, &'static str) {
     match (cylinder, plate) {

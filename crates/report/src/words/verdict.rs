@@ -159,12 +159,20 @@ pub fn outside(results: &Results) -> &'static str {
         Shape::Rectangle { .. } => true,
         Shape::Cylinder { .. } => !tank.is_metal() && tank.wall_base == WallBase::Fixed,
     };
-    if clamps && results.verdict.status != VerdictStatus::NotAssessed { FLOOR } else { "" }
+    match tank.staging {
+        _ if !clamps || results.verdict.status == VerdictStatus::NotAssessed => "",
+        Some(_) => FLOOR_ABOVE,
+        None => FLOOR,
+    }
 }
 
 /// The floor of a tank whose walls are clamped to it.
 const FLOOR: &str = "The floor is not part of this verification: it takes the clamping moment and the tension of the walls at their foot, and bears \
                      on the ground (EN 1998-4:2006 4.5, EN 1992-1-1:2004 6.1, 7.3)";
+
+/// The floor of such a tank on a staging.
+const FLOOR_ABOVE: &str = "The floor is not part of this verification: it takes the clamping moment and the tension of the walls at their foot, and hands \
+                           the liquid to the staging";
 
 /// Whether a warning is about values that are unusual or contradict each other.
 pub fn of_input(warning: &Warning) -> bool {

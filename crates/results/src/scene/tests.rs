@@ -51,6 +51,7 @@ fn tank() -> TankSummary {
         wall_base: tank::WallBase::Fixed,
         foundation: None,
         isolators: None,
+        staging: None,
         rings: Vec::new(),
         attachments: Vec::new(),
         subsoil: tank::Subsoil::default(),

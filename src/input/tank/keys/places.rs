@@ -18,6 +18,9 @@ pub(super) fn of(file: &TankFile) -> Places {
         if let Some(joint) = tank.wall_base.place() {
             all.insert(Place::WallBase, joint);
         }
+        if let Some(staging) = tank.staging.place() {
+            all.insert(Place::Staging, staging);
+        }
         if let Some(roof) = &tank.roof.given {
             let mass = roof.value.as_ref().map(|r| r.mass.place());
             all.insert(Place::Roof, mass.unwrap_or_else(|| roof.place()));

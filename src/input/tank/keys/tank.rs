@@ -2,7 +2,7 @@
 
 use files::code::Code;
 use tank::units::Dimension;
-use tank::{Anchors, Attachment, Insulation, Pipes, Presence, Pressure, SIZE, Shape, Support};
+use tank::{Anchors, Attachment, Insulation, Pipes, Presence, Pressure, SIZE, Shape, Staging, Support};
 
 use super::base::{self, Above, Bottom, Foundation};
 use super::carried::{self, Ring};
@@ -11,6 +11,7 @@ use super::isolators::{Isolators, isolators};
 use super::joint::{WallBase, wall_base};
 use super::materials::Materials;
 use super::roof::{Roof, roof, snow};
+use super::staging;
 use super::temperature::TEMPERATURE;
 use super::wall::{self, CORROSION, Course};
 use crate::input::tank::choice::choice;
@@ -23,7 +24,7 @@ use ::tank::words;
 use tank::keys::{Absent, Limits, default};
 
 object! {
-    /// An upright tank on the ground.
+    /// An upright tank, on the ground unless it has a staging.
     Tank {
         /// Plan shape.
         shape: Field<Plan>,
@@ -63,6 +64,9 @@ object! {
         foundation: Stated<Foundation>,
         /// Isolators between the slab and the ground; the foundation is then a slab.
         isolators: Opt<Isolators>,
+        /// Staging of an elevated tank. The procedure of IS 1893-2 alone covers one; every other procedure and the finite-element engines refuse
+        /// the tank.
+        staging: Opt<Given<Staging>> = Absent::Follows("the tank stands on the ground"),
         /// Anchor bolts, needed by the anchorage checks.
         anchors: Stated<Given<Anchors>>,
         /// Gas or vapour above the liquid while the earthquake acts.
@@ -117,6 +121,13 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let subsoil = base::subsoil(r, t.foundation.value(), foundation.as_ref(), moves);
     let isolators = t.isolators.given.as_ref().and_then(|field| isolators(r, field, ground, (shape, support)));
     let anchors = t.anchors.value().and_then(|given| base::anchors(r, given));
+    let staging = staging::staging(r, &t.staging, shape, &t.support);
+    if t.staging.given.is_some() {
+        staging::on_ground(r, &t.foundation, "a tank on a staging has no foundation of its own");
+        staging::on_ground(r, &t.isolators, "isolators are under the slab of a tank on the ground");
+        staging::on_ground(r, &t.anchors, "anchors hold a tank on the ground");
+        staging::on_ground(r, &t.bottom, "the floor of the container is tank.staging.floor_mass");
+    }
     let pressure = pressure(r, &t.pressure);
     let pipes = pipes(r, &t.pipes);
     if support == Some(Support::Unanchored)
@@ -145,6 +156,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         foundation,
         subsoil,
         isolators,
+        staging,
         anchors,
         pressure,
         pipes,
