@@ -80,7 +80,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             pressure: Default::default(),
             pipes: None,
         },
-        liquid: Liquid { density: 1000.0, fill_height: depth },
+        liquid: Liquid { density: 1000.0, fill_height: depth, bulk_modulus: None },
         gravity: 9.81,
         ground_motion: None,
         damping: Damping { sloshing: 0.005, impulsive: 0.02 },

@@ -231,8 +231,10 @@ fn without_states(job: &Job, of_set: bool, interrupted: bool) -> &'static str {
 fn jobs(args: &Args) -> Result<(Job, Option<SetJob>), Error> {
     let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
     let refuses = |task: &Task<'_>| {
+        let solid = args.solid.over(task.solid);
+        let task = Task { solid: &solid, ..*task };
         let all = engines(task.case).iter();
-        all.flat_map(|&id| engine(id).refuses(task)).collect()
+        all.flat_map(|&id| engine(id).refuses(&task)).collect()
     };
     let missing = || {
         Error::missing(

@@ -15,7 +15,7 @@ use crate::cli::{self, Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
 use crate::{input, job};
 use engines::solid::SolidOptions;
-use engines::{engine, harmonic};
+use engines::{Task, engine, harmonic};
 use files::text;
 use report::words::terminal as words;
 use results::{EngineId, Mode, finite};
@@ -90,7 +90,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         warn("", warning);
     }
     let fe = args.fe.unwrap_or(if tank.case.tank.bends_as_plates() { Engine::Solid } else { Engine::Harmonic });
-    let faults = job::refused(&tank, |task| engine(fe.id()).refuses(task));
+    let solid = args.solid.over(&tank.solid);
+    let faults = job::refused(&tank, |task| engine(fe.id()).refuses(&Task { solid: &solid, ..*task }));
     if !faults.is_empty() {
         return Err(faults.into_error(&tank.source).into());
     }
@@ -121,7 +122,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             return Err(Error::conflict(text));
         }
         (Engine::Harmonic, None) => asked.harmonic(global)?,
-        (Engine::Solid, _) => asked.solid(args.solid.over(&tank.solid), global)?,
+        (Engine::Solid, _) => asked.solid(solid, global)?,
     };
     finite::check("modes", &modes)?;
     show(&asked.case, (&modes, &notes), (fe, args.format), global)?;
@@ -169,6 +170,7 @@ impl Asked {
         watch.finish();
         modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
         let mut notes = harmonic::notes(case, &modes);
+        notes.extend(engines::solid::penalty_notes(case, &solid, &modes));
         let most = engines::solid::most_waves(case, &self.options, &solid)?;
         if let Some(n) = harmonics.iter().find(|n| **n > most) {
             return Err(Error::value(format!(

@@ -42,6 +42,7 @@ mod record_set;
 mod records;
 mod reproducible;
 mod roof_wave;
+mod rotation_penalty;
 mod scene;
 mod select;
 mod sets;

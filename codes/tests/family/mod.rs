@@ -236,7 +236,7 @@ impl Draw {
         Case {
             name: "family".into(),
             tank,
-            liquid: Liquid { density: self.of(&[1000.0, 850.0]), fill_height },
+            liquid: Liquid { density: self.of(&[1000.0, 850.0]), fill_height, bulk_modulus: None },
             gravity: self.of(&[9.80665, 9.81]),
             ground_motion: Some(GroundMotion { horizontal, transverse: None, vertical }),
             damping: Damping { sloshing: 0.005, impulsive: self.of(&[0.02, 0.05]) },

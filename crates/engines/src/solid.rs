@@ -19,6 +19,7 @@ mod mirror;
 pub mod model;
 mod modes;
 mod moments;
+mod penalty;
 mod plan;
 mod poles;
 mod project;
@@ -39,6 +40,7 @@ mod waves;
 pub use estimate::estimate;
 pub use model::refused;
 pub use modes::{modes, most_waves};
+pub use penalty::notes as penalty_notes;
 #[cfg(test)]
 pub(crate) use run::around_a_perfect_liquid;
 pub(crate) use run::unresolved;

@@ -63,7 +63,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             pressure: Default::default(),
             pipes: None,
         },
-        liquid: Liquid { density: liquid.0, fill_height: liquid.1 },
+        liquid: Liquid { density: liquid.0, fill_height: liquid.1, bulk_modulus: None },
         gravity: GRAVITY,
         ground_motion: None,
         damping: Damping { sloshing: 0.005, impulsive: 0.02 },

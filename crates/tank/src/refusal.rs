@@ -25,6 +25,8 @@ pub enum Place {
     Interlayer(String),
     /// Formulation of the liquid in three dimensions.
     Liquid,
+    /// Rotation penalty of a displacement liquid.
+    RotationPenalty,
     /// Number of elements over the height.
     Rows,
     /// Number of elements around the tank.

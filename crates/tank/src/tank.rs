@@ -256,6 +256,9 @@ pub struct Tank {
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
 const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0).usual(400.0, 2000.0);
 
+/// Bulk modulus of a liquid, from liquefied gases to mercury (28.5 GPa).
+const BULK_MODULUS: Limits = Limits::from(1e7).to(1e11).usual(3e8, 5e9);
+
 keys! {
     /// The stored liquid.
     pub Liquid (Copy) {
@@ -263,6 +266,20 @@ keys! {
         density: Field<Density> [LIQUID_DENSITY],
         /// Depth of the liquid above the tank bottom.
         fill_height ("9 m"): Field<Length> [HEIGHT],
+        /// Bulk modulus, of the displacement liquid of --fe solid and of the limit of compressibility; other liquids are incompressible.
+        @"Option::is_none" bulk_modulus ("2.06 GPa"): Opt<Stress> [BULK_MODULUS] = without("water, 2.06 GPa; c = 1435 m/s in the limit of compressibility"),
+    }
+}
+
+impl Liquid {
+    /// Bulk modulus [Pa]; 2.06 GPa of water where it is not given.
+    pub fn compression_modulus(&self) -> f64 {
+        self.bulk_modulus.unwrap_or(2.06e9)
+    }
+
+    /// Velocity of sound √(K/ρ) [m/s]; that of water where K is not given, whatever the density.
+    pub fn sound(&self) -> f64 {
+        self.bulk_modulus.map_or(1435.0, |modulus| (modulus / self.density).sqrt())
     }
 }
 

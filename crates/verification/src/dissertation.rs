@@ -7,6 +7,7 @@
 
 mod analytic;
 mod appendix;
+mod element;
 pub mod map;
 pub(crate) mod page;
 mod record;
@@ -46,6 +47,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("table-D.2", "API 650 for tank 8.1, dissertation tables D.2, 8.4 and 8.5"),
         ("table-D.3", "ENV 1998 for tank 8.1, dissertation tables D.3 and 8.4"),
         ("5.3.3.1", "cylinder of chapter 5"),
+        ("element-8.1", "the element of chapter 5 in the product, tank 8.1"),
         ("table-8.3", "the record of El Centro"),
         ("table-8.8", "Housner's frequencies of the model tank"),
         ("table-8.9", "wave of the model tank under a harmonic motion"),
@@ -56,6 +58,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         Part::Fast(appendix::housner),
         Part::Fast(appendix::api650),
         Part::Fast(appendix::env1998),
+        Part::Fast(element::rows),
         Part::Fast(analytic::frequencies),
         Part::Fast(analytic::harmonic_wave),
         Part::Fast(analytic::slender),

@@ -39,7 +39,8 @@ pub(crate) enum Kind {
 /// Results and series of this kind, with this title.
 pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let tank = tank(kind);
-    let liquid = Liquid { density: 1000.0, fill_height: if kind == Kind::Rectangle { 4.0 } else { 1.525 } };
+    let liquid =
+        Liquid { density: 1000.0, fill_height: if kind == Kind::Rectangle { 4.0 } else { 1.525 }, bulk_modulus: None };
     let half = tank.shape.half_length();
     let acceleration = motion();
     let k = 1.8412 / half;

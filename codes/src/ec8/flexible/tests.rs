@@ -18,7 +18,7 @@ fn course(height: f64, thickness: f64, density: f64) -> Course {
 /// R = 10 m, s = 10 mm, wall as high as the liquid, ρ = 1000 kg/m³.
 fn full_tank(slenderness: f64, density: f64, base: Base) -> FlexibleMode {
     let depth = 10.0 * slenderness;
-    let liquid = Liquid { density: 1000.0, fill_height: depth };
+    let liquid = Liquid { density: 1000.0, fill_height: depth, bulk_modulus: None };
     coupled_mode(10.0, &[course(depth, 0.01, density)], liquid, base).unwrap()
 }
 
@@ -104,7 +104,7 @@ fn period_formula_is_near_the_shell() {
 fn printed_equivalent_density_misses_the_mode() {
     let ratio = |slenderness: f64| {
         let depth = 10.0 * slenderness;
-        let liquid = Liquid { density: 1000.0, fill_height: depth };
+        let liquid = Liquid { density: 1000.0, fill_height: depth, bulk_modulus: None };
         let courses = [course(depth, 0.01, 7850.0)];
         let printed = equivalent_density_period(10.0, &courses, liquid).unwrap();
         printed / coupled_mode(10.0, &courses, liquid, Base::Clamped).unwrap().period
@@ -152,9 +152,9 @@ fn resultants_are_integrals_of_the_pressure() {
 /// The period depends on E, ρ and s only through ρ/(E s) for a massless wall, and scales with the size.
 #[test]
 fn scaling_of_the_period() {
-    let liquid = Liquid { density: 1000.0, fill_height: 8.0 };
+    let liquid = Liquid { density: 1000.0, fill_height: 8.0, bulk_modulus: None };
     let base = coupled_mode(10.0, &[course(9.0, 0.01, 7850.0)], liquid, Base::Clamped).unwrap();
-    let larger = Liquid { density: 1000.0, fill_height: 24.0 };
+    let larger = Liquid { density: 1000.0, fill_height: 24.0, bulk_modulus: None };
     let tripled = coupled_mode(30.0, &[course(27.0, 0.03, 7850.0)], larger, Base::Clamped).unwrap();
     close(tripled.period, 3.0 * base.period, 1e-9);
     close(tripled.field.lumped.mass, base.field.lumped.mass, 1e-9);

@@ -8,9 +8,6 @@ use crate::fittings;
 use crate::modes::Kind;
 use results::Mode;
 
-/// Velocity of sound in the liquid that the test of compressibility assumes (water) [m/s].
-const SOUND: f64 = 1435.0;
-
 /// Bulging frequency over the lowest acoustic frequency above which compressibility is mentioned; its relative effect is
 /// about half the square of the ratio, 4.5 % here.
 const ACOUSTIC_RATIO: f64 = 0.3;
@@ -90,14 +87,16 @@ pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
     let mut out = Vec::new();
     let structural =
         |harmonic: u32| modes.iter().find(move |m| m.harmonic == harmonic && m.kind == Kind::Structural.id());
-    let acoustic = SOUND / (4.0 * case.liquid.fill_height);
+    let sound = case.liquid.sound();
+    let acoustic = sound / (4.0 * case.liquid.fill_height);
+    let of_water = if case.liquid.bulk_modulus.is_some() { "" } else { ", water" };
     for (harmonic, name) in [(1, "bulging"), (0, "breathing")] {
         let Some(mode) = structural(harmonic) else { continue };
         let frequency = mode.omega / (2.0 * PI);
         if frequency > ACOUSTIC_RATIO * acoustic {
             out.push(format!(
                 "compressibility: the first {name} mode ({frequency:.1} Hz) lies above {ACOUSTIC_RATIO} of the lowest \
-                 acoustic frequency c/(4 H) = {acoustic:.1} Hz (c = {SOUND} m/s, water); the liquid is taken as \
+                 acoustic frequency c/(4 H) = {acoustic:.1} Hz (c = {sound:.0} m/s{of_water}); the liquid is taken as \
                  incompressible, which changes that frequency by about {:.0} %",
                 50.0 * (frequency / acoustic).powi(2)
             ));

@@ -16,8 +16,6 @@ use results::{Channel, EngineId, Limit};
 
 /// Compressibility matters where the bulging frequency exceeds this share of the acoustic one.
 const ACOUSTIC_SHARE: f64 = 0.3;
-/// Velocity of sound in water [m/s].
-const SOUND: f64 = 1435.0;
 /// Steps of a record that should lie in a period it excites: linear interpolation then damps the motion there by 3 %
 /// (the square of sin(π/10)/(π/10)).
 const RECORD_STEPS: f64 = 10.0;
@@ -183,9 +181,10 @@ fn degrees(theta: f64) -> String {
 
 /// First frequency of wall and liquid [Hz] against the acoustic one.
 pub(crate) fn compressibility(case: &Case, fastest: f64) -> Limit {
-    let acoustic = SOUND / (4.0 * case.liquid.fill_height);
-    let limit = ACOUSTIC_SHARE * acoustic;
-    let name = "First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = 1435 m/s";
+    let sound = case.liquid.sound();
+    let limit = ACOUSTIC_SHARE * sound / (4.0 * case.liquid.fill_height);
+    let name =
+        format!("First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = {sound:.0} m/s");
     limit_of("compressibility", name, [fastest, limit], Dimension::Frequency, fastest <= limit, || {
         "The compressibility of the liquid is left out; it lowers such high frequencies by about half the square of \
          the quotient of both."

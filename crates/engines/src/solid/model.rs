@@ -7,7 +7,10 @@ use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::contact8::{Contact8, ContactLaw};
-use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, WetFace};
+use fem::element::{
+    ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, RotationPart, VolumePart,
+    WetFace,
+};
 use fem::mesh::{Cylinder, Face, Volume};
 use fem::model::{Builder, Model};
 use nalgebra::Vector3;
@@ -33,8 +36,6 @@ pub const SURFACE: &str = "surface";
 /// Group of the joints of liquid and wall.
 pub const JOINT: &str = "joint";
 
-/// Bulk modulus of water [Pa] (dissertation, section 5).
-const BULK_MODULUS: f64 = 2.06e9;
 /// Factor of the joint's penalty: the gap is 1 % of the liquid's own compression in the outermost element, which is small
 /// itself (theory of contact).
 const PENALTY: f64 = 1e2;
@@ -45,6 +46,8 @@ pub struct TankModel {
     pub division: Division,
     /// Formulation of the liquid.
     pub liquid: Liquid,
+    /// Properties of a displacement liquid.
+    pub properties: LiquidProperties,
     /// The model.
     pub model: Model,
     /// Its pattern and places.
@@ -110,7 +113,7 @@ impl TankModel {
         if let Some(state) = &loaded {
             wall.loaded = state.add_to(&wall, &mut builder);
         }
-        let volume = add_liquid(case, &division, (plan.as_ref(), form), solid.liquid, &wall, &mut builder)?;
+        let volume = add_liquid(case, &division, (plan.as_ref(), form), solid, &wall, &mut builder)?;
         let joint = match solid.liquid {
             Liquid::Displacement => joint_stiffness(case, &division),
             Liquid::Potential => 0.0,
@@ -137,6 +140,7 @@ impl TankModel {
             mirrors,
             division,
             liquid: solid.liquid,
+            properties: displacement_liquid(case, solid),
             model,
             assembler,
             wall,
@@ -193,7 +197,7 @@ impl TankModel {
 
 /// What the engine does not model of a rectangular tank.
 pub fn refused(case: &Case, solid: &SolidOptions) -> Vec<Refusal> {
-    let mut found = Vec::new();
+    let mut found: Vec<Refusal> = penalty_of_potential(solid).into_iter().collect();
     let Shape::Rectangle { strip, .. } = case.tank.shape else { return found };
     if strip {
         let message = "the three-dimensional engine models boxes with four walls, not a strip of a long tank";
@@ -211,6 +215,16 @@ pub fn refused(case: &Case, solid: &SolidOptions) -> Vec<Refusal> {
         found.push(refusal.help("use --liquid potential"));
     }
     found
+}
+
+/// The refusal of a penalty beside a liquid without rotation.
+fn penalty_of_potential(solid: &SolidOptions) -> Option<Refusal> {
+    let without = solid.rotation_penalty.filter(|_| solid.liquid == Liquid::Potential);
+    without.map(|_| {
+        let message = "a liquid by its potential does not rotate: it has no rotation penalty";
+        let refusal = Refusal::new(Place::RotationPenalty, message, "no rotation_penalty with liquid \"potential\"");
+        refusal.help("use --liquid displacement, or remove analysis.solid.rotation_penalty")
+    })
 }
 
 /// Chart of the liquid.
@@ -288,7 +302,7 @@ fn add_liquid(
     case: &Case,
     division: &Division,
     (plan, form): (Option<&Plan>, &Form<'_>),
-    liquid: Liquid,
+    solid: &SolidOptions,
     wall: &WallPart,
     builder: &mut Builder,
 ) -> Result<Volume, FeError> {
@@ -303,7 +317,7 @@ fn add_liquid(
     let first = builder.nodes(&volume.nodes);
     shift(&mut volume, first);
     let (density, gravity) = (case.liquid.density, case.gravity);
-    match liquid {
+    match solid.liquid {
         Liquid::Potential => {
             for cell in &volume.cells {
                 let element = Potential8::new(cell, chart, density).map_err(failed)?;
@@ -316,14 +330,20 @@ fn add_liquid(
             join_potential(division, &volume, (wall, form), (density, chart), builder).map_err(failed)?;
         }
         Liquid::Displacement => {
-            let liquid = displacement_liquid(case);
+            let liquid = displacement_liquid(case, solid);
             for cell in &volume.cells {
                 let element = Fluid8::new(cell, Chart::Cylindrical, liquid).map_err(failed)?;
                 builder.element(LIQUID, element);
             }
             for face in &volume.surface {
-                let element = FreeSurface::new(face, Chart::Cylindrical, density * gravity).map_err(failed)?;
-                builder.element(SURFACE, element);
+                // The lift of a node is that of the volume part's quadrature.
+                let element = match liquid.volume {
+                    VolumePart::OnePoint => FreeSurface::at_one_point(face, Chart::Cylindrical, density * gravity),
+                    VolumePart::Full | VolumePart::MeanDilatation => {
+                        FreeSurface::new(face, Chart::Cylindrical, density * gravity)
+                    }
+                };
+                builder.element(SURFACE, element.map_err(failed)?);
             }
             // The bottom is rigid; the liquid slides on it.
             for &node in &volume.bottom_nodes {
@@ -341,10 +361,17 @@ fn add_liquid(
     Ok(volume)
 }
 
-/// Properties of the displacement liquid of a case: bulk modulus of water, uncalibrated.
-pub fn displacement_liquid(case: &Case) -> LiquidProperties {
+/// Properties of the displacement liquid of a case: bulk modulus of the case or of water; uncalibrated, or with the penalty of the user and
+/// the quadratures of [B02, 5.3.1.4].
+pub(super) fn displacement_liquid(case: &Case, solid: &SolidOptions) -> LiquidProperties {
     let radius = case.tank.shape.half_length();
-    LiquidProperties::new(case.liquid.density, BULK_MODULUS, case.gravity, radius)
+    let own = LiquidProperties::new(case.liquid.density, case.liquid.compression_modulus(), case.gravity, radius);
+    match solid.rotation_penalty {
+        Some(penalty) => {
+            LiquidProperties { volume: VolumePart::OnePoint, rotation: RotationPart::Full(penalty), ..own }
+        }
+        None => own,
+    }
 }
 
 /// Normal stiffness of the joint between displacement liquid and wall [N/m³]: `PENALTY` times the larger of K/h of the
@@ -354,7 +381,7 @@ pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
     let thickness = division.radii[n - 1] - division.radii[n - 2];
     let radius = case.tank.shape.half_length();
     let wall = |c: &tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
-    PENALTY * case.tank.courses.iter().map(wall).fold(BULK_MODULUS / thickness, f64::max)
+    PENALTY * case.tank.courses.iter().map(wall).fold(case.liquid.compression_modulus() / thickness, f64::max)
 }
 
 /// Wetted faces of liquid and wall, sector by sector, wherever they overlap.

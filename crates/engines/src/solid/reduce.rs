@@ -23,14 +23,14 @@ use std::collections::BTreeMap;
 use fem::assembly::local_values;
 use fem::chart::Chart;
 use fem::dofs::{Dof, KINDS};
-use fem::element::{Fluid8, LiquidProperties, reference_mass, reference_stiffness};
+use fem::element::{Fluid8, LiquidProperties, VolumePart, reference_mass, reference_stiffness};
 use fem::linalg::{Cholesky, Matrix, transposed_product};
 use fem::progress::Progress;
 use tank::Case;
 
 use super::around_probes::{self, What};
 use super::coupling;
-use super::model::{SURFACE, TankModel, displacement_liquid};
+use super::model::{SURFACE, TankModel};
 use super::poles::VECTORS;
 use super::project::Projector;
 use super::ritz::{Ritz, reduce, symmetric};
@@ -346,7 +346,7 @@ fn rotation_part(case: &Case, tank: &TankModel, basis: &Matrix) -> Result<Option
         return Ok(None);
     }
     // The same elements with a negligible bulk modulus, so that the penalty remains.
-    let own = displacement_liquid(case);
+    let own = tank.properties;
     let rotation_only = LiquidProperties { bulk_modulus: 1e-9 * own.density * case.gravity * tank.radius, ..own };
     let n = basis.cols;
     let mut sum = Matrix::zeros(n, n);
@@ -375,9 +375,11 @@ fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> 
                 division.radii.len() - 1,
                 division.sectors,
                 division.liquid.len() - 1,
-                match tank.liquid {
-                    Liquid::Potential => "displacement potential",
-                    Liquid::Displacement => "displacements, mean dilatation, split rotation penalty",
+                match (tank.liquid, tank.properties.volume) {
+                    (Liquid::Potential, _) => "displacement potential",
+                    (Liquid::Displacement, VolumePart::OnePoint) =>
+                        "displacements, volume part at one point, full rotation part",
+                    (Liquid::Displacement, _) => "displacements, mean dilatation, split rotation penalty",
                 }
             ),
         ),

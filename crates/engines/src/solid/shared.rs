@@ -6,6 +6,7 @@ use tank::{Case, Shape};
 use super::around;
 use super::direct::OwnUnknowns;
 use super::exchanged::{TWO_DIRECTIONS, exchanged};
+use super::penalty;
 use super::run::{Prepared, tilted};
 use crate::checks::{check_options, checked_motion};
 use crate::linear::analysis::analyse_on;
@@ -94,6 +95,8 @@ impl Shared {
             simulation.notes.extend(IMPERFECT.map(str::to_owned));
             simulation.result.around = Some(around);
         }
+        let penalty = penalty::limits(case, &prepared.tank, &prepared.model.horizontal, options);
+        simulation.result.limits.extend(penalty);
         if prepared.tank.loaded.is_some() {
             simulation.assumptions.push(LOADED.into());
         }

@@ -62,7 +62,7 @@ fn tank() -> TankSummary {
     };
     TankSummary {
         tank,
-        liquid: tank::Liquid { density: 1000.0, fill_height: 2.5 },
+        liquid: tank::Liquid { density: 1000.0, fill_height: 2.5, bulk_modulus: None },
         gravity: 9.81,
         liquid_mass: 0.0,
         wall_mass: 0.0,

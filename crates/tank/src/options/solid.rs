@@ -25,6 +25,10 @@ pub struct SolidOptions {
     pub mesh: Option<MeshSize>,
     /// Formulation of the liquid.
     pub liquid: Liquid,
+    /// Penalty K_rot [Pa] of the displacement liquid as [B02] has it, volume part at one point and full rotation part; `None`: mean
+    /// dilatation and a split penalty, which needs no calibration.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotation_penalty: Option<f64>,
     /// Largest memory of matrices and factors [MiB]; a larger model is refused before the run.
     pub memory_limit_mib: u64,
     /// Time between the states kept for pictures [s]; `None` keeps none.
@@ -48,6 +52,7 @@ impl SolidOptions {
     pub const DEFAULT: SolidOptions = SolidOptions {
         mesh: None,
         liquid: Liquid::Potential,
+        rotation_penalty: None,
         memory_limit_mib: MEMORY_LIMIT_MIB,
         snapshot_interval: None,
         snapshot_inside: false,

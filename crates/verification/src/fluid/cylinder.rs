@@ -134,7 +134,25 @@ pub(crate) fn cylinders() -> Answer {
     let spurious = found.iter().find(|m| m.surface < 0.5).map_or(f64::NAN, |m| m.omega);
     let pair = (2.1, spurious / sloshing(&found, 0)?);
     rows.push(PROTOTYPE.row("K6", "full rotation part, α = 1: lowest spurious mode/ω₁", pair, 0.05, "-"));
+    // k R = j₁,₁ = 3.8317, ω = k √(K_rot/2ρ): linear elements, 12 over the radius, (k h)²/24 = 0.4 %, and 16 sectors 1.3 %.
+    let swirl = Source {
+        source: "swirl ψ = J₁(k r) cos θ, J₁(k R) = 0, ω = k √(K_rot/2ρ)",
+        kind: Reference::ClosedForm,
+    };
+    let exact = 3.831_705_970_207_512 / RADIUS * (0.5 * GRAVITY * RADIUS).sqrt();
+    rows.push(swirl.row("K6", "full rotation part, α = 1: lowest spurious mode", (exact, spurious), 0.017, "rad/s"));
     Ok(rows)
+}
+
+/// First sloshing frequency of tank 8.1 for cos θ or cos 2θ with the element as the dissertation states it: volume part at one point, full
+/// rotation part, K_rot = 100 kPa, on 12 × 16 × 19 elements between rigid walls [rad/s].
+///
+/// Errors: a mode that is not found.
+pub(crate) fn printed_element(harmonic: u32) -> Result<f64, Failure> {
+    let (part, lambda) = if harmonic == 1 { (Sector::Odd, zeros::M1[0]) } else { (Sector::Even, zeros::M2[0]) };
+    let near = 1.03 * exact(lambda, RADIUS, FILL, GRAVITY);
+    let full = liquid(VolumePart::OnePoint, RotationPart::Full(100.0));
+    Ok(frequencies(&tank(RADIUS, FILL, [12, 16, 19], part), harmonic, full, &Search::around(near, 8), 1)?[0])
 }
 
 /// K5, examples 8.2 and 8.3, meshes of section 4.4.

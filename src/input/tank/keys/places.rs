@@ -56,6 +56,9 @@ pub(super) fn of(file: &TankFile) -> Places {
     if let Some(liquid) = solid.and_then(|s| s.liquid.place()) {
         all.insert(Place::Liquid, liquid);
     }
+    if let Some(penalty) = solid.and_then(|s| s.rotation_penalty.place()) {
+        all.insert(Place::RotationPenalty, penalty);
+    }
     if let Some(imperfections) = file.analysis.value().and_then(|a| a.imperfections.place()) {
         all.insert(Place::Imperfections, imperfections);
     }

@@ -19,7 +19,7 @@ pub(super) const CHAPTERS: [Chapter; 7] = [
 ];
 
 const LIQUID_NOTE: &str = "The default liquid is a potential ([harmonic-engine](harmonic-engine.md), [potential-elements](potential-elements.md)), \
-which does not need a penalty. `--liquid displacement` has the mean dilatation and a split penalty instead of the four variants, whose patch test or \
+which does not need a penalty. By default `--liquid displacement` has the mean dilatation and a split penalty instead of the four variants, whose patch test or \
 spectrum fails ([fluid-elements](fluid-elements.md)).";
 
 const CONTACT_NOTE: &str = "`contact: \"opening\"` joins a condensed liquid to the wall node by node ([strip](strip.md), section 8); clipped areas \
@@ -119,8 +119,8 @@ const LIQUID: &[Line] = &[
     ),
     line(
         "its four variants of integration (5.3.1, table 5.3), plane and spatial",
-        "elements of benchmarks, not of tanks",
-        &[Rows("fluid-rank"), Rows("K5"), Rows("K6")],
+        "variant 4, as stated: `analysis.solid.rotation_penalty`; variants 1 to 3: elements of benchmarks",
+        &[Rows("fluid-rank"), Rows("K5"), Rows("K6"), Rows("element-8.1")],
     ),
     line(
         "patch tests (5.3.2.1), own weight (5.3.2.2)",
