@@ -123,6 +123,23 @@ fn laws_of_the_other_engine() {
     );
 }
 
+/// In the plane of the wall an interlayer is stiff between shells, of a cylinder or of a strip; a wall of fibres has none.
+#[test]
+fn an_interlayer_with_stiffness_in_its_plane() {
+    let foam = "\"e_normal\": \"10 MPa\", \"tension\": false";
+    let elastomer = "\"e_normal\": \"10 MPa\", \"e_parallel\": \"10 MPa\", \"shear_modulus\": \"5 MPa\"";
+    let shells = strip().replace("\"nonlinear\": {", "\"nonlinear\": { \"wall\": \"shell\",").replace(foam, elastomer);
+    for text in [changed(foam, elastomer), shells] {
+        let file = read(&text);
+        let faults = job::refused(&file, history);
+        assert!(faults.is_empty(), "{}", faults.render(&file.source, false));
+    }
+    has(
+        &refused(&strip().replace(foam, elastomer), history),
+        &["materials.foam.behaviour.interlayer", "e_parallel 10.0 MPa", "wall to \"shell\"", "a wall of fibres"],
+    );
+}
+
 #[test]
 fn walls_that_are_not_modelled() {
     let foam = "\"e_normal\": \"10 MPa\", \"tension\": false";
@@ -133,6 +150,10 @@ fn walls_that_are_not_modelled() {
             "e_normal 10.0 MPa, e_parallel 0 Pa, shear_modulus 1.00 MPa, without tension",
             "e_normal alone",
         ],
+    );
+    has(
+        &unfit(foam, "\"e_normal\": \"10 MPa\", \"e_parallel\": \"2 MPa\", \"tension\": false"),
+        &["materials.foam.behaviour.interlayer", "e_parallel 2.00 MPa", "shear_modulus and e_parallel with tension"],
     );
     let course = "{ \"height\": \"6 m\",";
     let second = "{ \"height\": \"1 m\", \"thickness\": \"20 cm\", \"material\": \"concrete\" } ]";

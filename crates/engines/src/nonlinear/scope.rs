@@ -136,6 +136,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
             }
         };
         let before = all.len();
+        all.extend(stiff_in_its_plane(&layers).filter(|_| options.wall == StripWall::Fibre));
         for (layer, concrete) in concretes(main) {
             // Plane strain across the strip.
             let nu = layer.material.poisson_ratio;
@@ -187,7 +188,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
                 Refusal::new(
                     Place::Interlayer(between.material.name.clone()),
                     error.to_string(),
-                    "e_normal alone (with or without tension), or e_normal and shear_modulus with tension; or an elastic material",
+                    "e_normal alone (with or without tension), or also shear_modulus and e_parallel with tension; or an elastic material",
                 )
                 .found(interlayer_in_words(between)),
             );
@@ -242,6 +243,20 @@ fn one_shell(case: &Case, all: &mut Vec<Refusal>) {
             );
         }
     }
+}
+
+/// The refusal of an interlayer with stiffness in its plane beside a wall of fibres, which bends as its main leaf alone.
+fn stiff_in_its_plane(layers: &[Layer]) -> Option<Refusal> {
+    let stiff = layers.iter().find(|l| matches!(l.material.behaviour, Behaviour::Interlayer(i) if i.e_parallel > 0.0));
+    stiff.map(|layer| {
+        Refusal::new(
+            Place::Interlayer(layer.material.name.clone()),
+            "a wall of fibres bends as its stiffest shell alone, without the stiffness of an interlayer in its plane",
+            "no e_parallel",
+        )
+        .found(interlayer_in_words(layer))
+        .help("set analysis.nonlinear.wall to \"shell\", or remove e_parallel")
+    })
 }
 
 /// Largest element whose cracks do not snap back [m]; laws that do not crack have no softening in tension.

@@ -4,7 +4,7 @@
 //! ```text
 //! isotropic      S = λ tr(E) 1 + 2 μ E          λ = E ν / ((1 + ν)(1 − 2ν)),  μ = E / (2 (1 + ν))
 //! normal only    S = s(e) n ⊗ n, e = n·E n      n unit normal of the layer in the reference state
-//! core           S = E_n e n ⊗ n + 2 G (n ⊗ γ + γ ⊗ n), γ = E n − e n
+//! core           S = E_n e n ⊗ n + 2 G (n ⊗ γ + γ ⊗ n) + E_p P E P, γ = E n − e n, P = 1 − n ⊗ n
 //!
 //! normal only, tension s = E_n e; without tension
 //!                s = E_n e,                e ≤ 0
@@ -14,7 +14,8 @@
 //!
 //! The first is St. Venant and Kirchhoff's law with the metric of the reference state (the dissertation prints that of the
 //! current one in (6.25), (6.26)). The second is its layer between two shells, section 6.3.1, where only D³³³³ ≠ 0. The
-//! third adds shear across the layer only: the core of a sandwich.
+//! third adds shear across the layer, the core of a sandwich, and stiffness in its plane without contraction: transversely isotropic,
+//! isotropic with ν = 0 for E_n = E_p = 2 G.
 //!
 //! The switch lies wholly on the side of tension, so that the reference state is stressless and has the full modulus;
 //! a width w costs a tensile strength of E_n w/2.
@@ -46,12 +47,14 @@ pub enum Law {
         /// Whether the layer holds two shells together.
         tension: Tension,
     },
-    /// A bonded layer: stiff along its normal and in shear across it, not in its plane. It stands only between two shells.
+    /// A bonded layer: stiff along its normal, and in shear across it or in its plane. It stands only between two shells.
     Core {
         /// Modulus along the normal [Pa], > 0.
         e_normal: f64,
-        /// Shear modulus G_13 = G_23 [Pa], > 0.
+        /// Shear modulus G_13 = G_23 [Pa], ≥ 0; > 0 without `e_parallel`.
         shear_modulus: f64,
+        /// Modulus in the plane E_p [Pa], ≥ 0; its shear modulus there is E_p/2.
+        e_parallel: f64,
     },
 }
 
@@ -83,9 +86,11 @@ impl Law {
                 check(positive(young_modulus), "young_modulus", young_modulus, "> 0")?;
                 check(nu > -1.0 && nu < 0.5, "poisson_ratio", nu, "between −1 and 0.5")
             }
-            Law::Core { e_normal, shear_modulus, .. } => {
+            Law::Core { e_normal, shear_modulus, e_parallel } => {
                 check(positive(e_normal), "e_normal", e_normal, "> 0")?;
-                check(positive(shear_modulus), "shear_modulus", shear_modulus, "> 0")
+                check(not_negative(e_parallel), "e_parallel", e_parallel, "≥ 0")?;
+                let stiff = positive(shear_modulus) || (shear_modulus == 0.0 && e_parallel > 0.0);
+                check(stiff, "shear_modulus", shear_modulus, "> 0, or 0 beside an e_parallel")
             }
             Law::NormalOnly { e_normal, tension } => {
                 check(positive(e_normal), "e_normal", e_normal, "> 0")?;
@@ -125,7 +130,9 @@ impl Law {
                 let (stress, modulus) = without_tension(e_normal, residual, width, strain);
                 return (p.map(|p| stress * p), normal_moduli(modulus, normal));
             }
-            Law::Core { e_normal, shear_modulus } => core_moduli(e_normal, shear_modulus, normal),
+            Law::Core { e_normal, shear_modulus, e_parallel } => {
+                core_moduli([e_normal, shear_modulus, e_parallel], normal)
+            }
         };
         let stress = moduli.map(|row| row.iter().zip(strain).map(|(d, e)| d * e).sum());
         (stress, moduli)
@@ -160,23 +167,35 @@ fn normal_moduli(e_normal: f64, n: &Vector3<f64>) -> Moduli {
     p.map(|a| p.map(|b| e_normal * a * b))
 }
 
-/// E_n p pᵀ + G Σ p_α p_αᵀ with p_α the vectors of t_α ⊗ n + n ⊗ t_α for two tangents t_α: γ_α = 2 t_α·E n = p_α · ε.
-fn core_moduli(e_normal: f64, shear_modulus: f64, n: &Vector3<f64>) -> Moduli {
-    let mut moduli = normal_moduli(e_normal, n);
+/// Voigt vector of a ⊗ b + b ⊗ a, work-conjugate to engineering shears: 2 a·E b = p · ε.
+fn both(a: &Vector3<f64>, b: &Vector3<f64>) -> [f64; 6] {
+    [
+        2.0 * a.x * b.x,
+        2.0 * a.y * b.y,
+        2.0 * a.z * b.z,
+        a.x * b.y + a.y * b.x,
+        a.y * b.z + a.z * b.y,
+        a.x * b.z + a.z * b.x,
+    ]
+}
+
+/// E_n p pᵀ + G Σ p_α p_αᵀ + E_p (q₁ q₁ᵀ + q₂ q₂ᵀ + ½ q₁₂ q₁₂ᵀ) with two tangents t_α, p_α of t_α ⊗ n + n ⊗ t_α, q_α of t_α ⊗ t_α and q₁₂ of
+/// t₁ ⊗ t₂ + t₂ ⊗ t₁.
+fn core_moduli([e_normal, shear_modulus, e_parallel]: [f64; 3], n: &Vector3<f64>) -> Moduli {
     let wish = if n.x.abs() < 0.7 { Vector3::x() } else { Vector3::y() };
     let first = (wish - n * n.dot(&wish)).normalize();
-    for t in [first, n.cross(&first)] {
-        let p = [
-            2.0 * t.x * n.x,
-            2.0 * t.y * n.y,
-            2.0 * t.z * n.z,
-            t.x * n.y + t.y * n.x,
-            t.y * n.z + t.z * n.y,
-            t.x * n.z + t.z * n.x,
-        ];
+    let second = n.cross(&first);
+    let mut moduli = normal_moduli(e_normal, n);
+    for (modulus, p) in [
+        (shear_modulus, both(&first, n)),
+        (shear_modulus, both(&second, n)),
+        (e_parallel, dyad(&first)),
+        (e_parallel, dyad(&second)),
+        (0.5 * e_parallel, both(&first, &second)),
+    ] {
         for (row, a) in moduli.iter_mut().zip(p) {
             for (d, b) in row.iter_mut().zip(p) {
-                *d += shear_modulus * a * b;
+                *d += modulus * a * b;
             }
         }
     }
@@ -244,7 +263,7 @@ mod tests {
     /// Pure shear γ across the layer gives τ = G γ, whatever the normal; shear and stretch in its plane give no stress.
     #[test]
     fn core_carries_shear_across() {
-        let law = Law::Core { e_normal: 7.0, shear_modulus: 3.0 };
+        let law = Law::Core { e_normal: 7.0, shear_modulus: 3.0, e_parallel: 0.0 };
         let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
         let t = Vector3::new(2.0, 1.0, -2.0) / 3.0;
         let voigt = |e: nalgebra::Matrix3<f64>| {
@@ -261,6 +280,21 @@ mod tests {
         assert!((tensor(stress) - n * n.transpose() * 7.0).norm() < 1e-14);
     }
 
+    /// E_n = E_p = 2 G is the isotropic law with ν = 0, whatever the normal; stretch in the plane alone gives E_p.
+    #[test]
+    fn equal_moduli_are_isotropic() {
+        let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;
+        let equal = Law::Core { e_normal: 4.0, shear_modulus: 2.0, e_parallel: 4.0 };
+        let isotropic = Law::Isotropic { young_modulus: 4.0, poisson_ratio: 0.0 };
+        let [found, expected] = [equal, isotropic].map(|law| law.stress(&[0.0; 6], &n).1);
+        let difference = found.as_flattened().iter().zip(expected.as_flattened()).map(|(a, b)| (a - b).abs());
+        assert!(difference.fold(0.0, f64::max) < 1e-14);
+        let layer = Law::Core { e_normal: 7.0, shear_modulus: 0.0, e_parallel: 5.0 };
+        let (stress, _) = layer.stress(&[1e-3, 2e-3, 0.0, 4e-3, 6e-3, 8e-3], &Vector3::z());
+        let expected = [5e-3, 10e-3, 0.0, 10e-3, 0.0, 0.0];
+        assert!(stress.iter().zip(expected).all(|(s, e)| (s - e).abs() < 1e-15), "{stress:?}");
+    }
+
     #[test]
     fn parameters_out_of_range_are_rejected() {
         let isotropic = |young_modulus, poisson_ratio| Law::Isotropic { young_modulus, poisson_ratio };
@@ -272,8 +306,9 @@ mod tests {
         assert!(layer(1.0, Tension::NONE).check("solid8").is_ok());
         let wide = |residual, width| layer(1.0, Tension::None { residual, width });
         assert!(wide(0.0, 0.0).check("solid8").is_err() && wide(0.1, -1.0).check("solid8").is_err());
-        let core = Law::Core { e_normal: 1.0, shear_modulus: 0.0 };
-        assert!(core.check("solid8").is_err());
+        let core = |shear_modulus, e_parallel| Law::Core { e_normal: 1.0, shear_modulus, e_parallel };
+        assert!(core(0.0, 0.0).check("solid8").is_err() && core(-1.0, 1.0).check("solid8").is_err());
+        assert!(core(0.0, 1.0).check("solid8").is_ok() && core(1.0, -1.0).check("solid8").is_err());
         assert!(isotropic(1.0, -0.5).check("solid8").is_ok());
     }
 }

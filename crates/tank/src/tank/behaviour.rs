@@ -180,7 +180,7 @@ keys! {
     pub Interlayer as InterlayerBehaviour (Copy) {
         /// Modulus along the normal of the wall.
         e_normal ("10 MPa"): Field<Stress> [STRESS],
-        /// Modulus in the plane of the wall.
+        /// Modulus in the plane of the wall, between the shells of the nonlinear engine; the homogeneous wall of the others leaves it out.
         e_parallel ("10 MPa"): Or<Stress> [SLOPE] = default(Stress(0.0)).because("stiff along the normal only"),
         /// Transverse shear modulus; 0: the layer passes no shear.
         shear_modulus ("4 MPa"): Or<Stress> [SLOPE] = default(Stress(0.0)).because("passes no shear"),

@@ -273,13 +273,19 @@ fn composite() -> Answer {
     Ok(rows)
 }
 
-/// A ring of liner, stiff layer and wall under pressure: p R_I = w (E_I t_I/R_I + E_O t_O/R_O) for ν = 0 and a layer that
-/// does not shorten.
-fn ring() -> Result<Row, Failure> {
+/// A ring of liner, stiff layer and wall under pressure: p R_I = w (E_I t_I/R_I + E_O t_O/R_O + E_p ln(r_2/r_1)) for ν = 0 and a layer that does
+/// not shorten, from r_1 to r_2, with the modulus E_p in its plane.
+fn ring(in_plane: f64) -> Result<Row, Failure> {
     let (radius, p) = (2.0, 1e4);
     let (inner, outer) = ([210e9, 0.0, 0.004], [30e9, 0.0, 0.05]);
     let gap = 0.5 * inner[2] + LAYER + 0.5 * outer[2];
-    let exact = p * radius / (inner[0] * inner[2] / radius + outer[0] * outer[2] / (radius + gap));
+    let face = radius + 0.5 * inner[2];
+    let layer = in_plane * ((face + LAYER) / face).ln();
+    let exact = p * radius / (inner[0] * inner[2] / radius + outer[0] * outer[2] / (radius + gap) + layer);
+    let material = match in_plane {
+        0.0 => Elastic::normal_only(1e15, 0.0),
+        _ => Elastic::transverse([1e15, 0.5 * in_plane, in_plane], 0.0),
+    };
     let counts = [12, 24, 48];
     let mut errors = Vec::new();
     let mut last = 0.0;
@@ -288,7 +294,7 @@ fn ring() -> Result<Row, Failure> {
         let footprint = Footprint::cylinder(radius, sectors, [0.0, std::f64::consts::TAU], &heights)?;
         let mut builder = Builder::new();
         let leaves = [leaf(inner, Shear::Flexible)?, leaf(outer, Shear::Flexible)?];
-        let placed = layered(&mut builder, &footprint, leaves, LAYER, Elastic::normal_only(1e15, 0.0))?;
+        let placed = layered(&mut builder, &footprint, leaves, LAYER, material)?;
         // Rigid displacements only: two opposite points on the y = 0 axis, one level.
         for level in &footprint.levels {
             placed.hold(&mut builder, level, &[Dof::Uz]);
@@ -305,10 +311,14 @@ fn ring() -> Result<Row, Failure> {
         last = model.at_node(&u, placed.outer[footprint.levels[1][0]])[0];
         errors.push((sectors as f64, last / exact - 1.0));
     }
-    let source = "p R_I = w (E_I t_I/R_I + E_O t_O/R_O)";
+    let what = match in_plane {
+        0.0 => "cylinder of liner, stiff layer and wall under pressure: radial displacement".to_owned(),
+        _ => format!("the same with E_p = {in_plane:.0e} Pa in the plane of the layer"),
+    };
+    let source = "p R_I = w (E_I t_I/R_I + E_O t_O/R_O + E_p ln(r_2/r_1))";
     let mut row = Row::new(
         "C9",
-        "cylinder of liner, stiff layer and wall under pressure: radial displacement",
+        what,
         (exact, source, Reference::ClosedForm),
         last,
         // A polygon of 48 sides: 1 − cos(π/48) = 0.2 % in the radius, twice in the displacement.
@@ -322,6 +332,9 @@ fn ring() -> Result<Row, Failure> {
 pub(super) fn rows() -> Answer {
     let mut rows = layered_wall()?;
     rows.extend(composite()?);
-    rows.push(ring()?);
+    rows.push(ring(0.0)?);
+    // A quarter of the stiffness of liner and wall together, and a layer that carries more than both.
+    rows.push(ring(5e9)?);
+    rows.push(ring(5e10)?);
     Ok(rows)
 }

@@ -92,14 +92,14 @@ pub(crate) fn interlayer(layer: &Layer) -> Result<Between, FeError> {
             true => Core::normal_only(i.e_normal, material.density),
             false => Core::pressed_only(i.e_normal, material.density),
         },
-        Behaviour::Interlayer(i) if i.e_parallel == 0.0 && i.tension => {
-            Core::core(i.e_normal, i.shear_modulus, material.density)
+        Behaviour::Interlayer(i) if i.tension => {
+            Core::transverse([i.e_normal, i.shear_modulus, i.e_parallel], material.density)
         }
         Behaviour::Elastic => Core::isotropic(material.youngs_modulus, material.poisson_ratio, material.density),
         _ => {
             return unsupported(format!(
                 "interlayer `{}`: the nonlinear engine models layers that are elastic and isotropic, stiff along the normal \
-                 alone (with or without tension), or stiff along the normal and in transverse shear with tension",
+                 alone (with or without tension), or also in transverse shear and in their plane with tension",
                 material.name
             ));
         }

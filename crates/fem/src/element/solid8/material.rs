@@ -43,7 +43,15 @@ impl Elastic {
 
     /// Bonded layer, stiff along its normal and in shear across it: moduli [Pa], density ρ₀ [kg/m³].
     pub fn core(e_normal: f64, shear_modulus: f64, density: f64) -> Elastic {
-        Elastic { law: Law::Core { e_normal, shear_modulus }, ..Elastic::normal_only(e_normal, density) }
+        Elastic {
+            law: Law::Core { e_normal, shear_modulus, e_parallel: 0.0 },
+            ..Elastic::normal_only(e_normal, density)
+        }
+    }
+
+    /// Bonded layer, stiff along its normal, in shear across it and in its plane: moduli [Pa], density ρ₀ [kg/m³].
+    pub fn transverse([e_normal, shear_modulus, e_parallel]: [f64; 3], density: f64) -> Elastic {
+        Elastic { law: Law::Core { e_normal, shear_modulus, e_parallel }, ..Elastic::normal_only(e_normal, density) }
     }
 
     /// The same with the element damping C_e = a_M M_e + a_K K_e(0); a_M [1/s], a_K [s].

@@ -67,6 +67,7 @@ pub(crate) fn all() -> Vec<Specimen> {
         brick("layer stiff along its normal", Kinematics::GreenLagrange, Elastic::normal_only(80.0, DENSITY)),
         brick("layer without tension", Kinematics::GreenLagrange, Elastic::pressed_only(80.0, DENSITY)),
         brick("core of a sandwich", Kinematics::GreenLagrange, Elastic::core(80.0, 30.0, DENSITY)),
+        brick("layer stiff in its plane", Kinematics::GreenLagrange, Elastic::transverse([80.0, 30.0, 50.0], DENSITY)),
         pressure("whole", true),
         pressure("without its dead part", false),
     ]

@@ -177,9 +177,9 @@ const WALL: &[Line] = &[
         &[Rows("shell-concrete-beams")],
     ),
     line(
-        "elastomer, linearly elastic: normal stress alone (6.1, 8.4.1), optionally with transverse shear",
-        "`tank.courses[].layers` with `kind: \"interlayer\"`, `behaviour.interlayer`",
-        &[Rows("layered-wall"), Rows("brick-cantilever")],
+        "elastomer, linearly elastic: isotropic (4.90); normal stress alone (6.1, 8.4.1), also with transverse shear and stiffness in the plane",
+        "`tank.courses[].layers` with `kind: \"interlayer\"`, of an elastic material or with `behaviour.interlayer`",
+        &[Rows("layered-wall"), Rows("macro-wall"), Rows("brick-cantilever")],
     ),
     line("macro element: two shells and a layer (6.1)", "the same in `--fe nonlinear`", &[Rows("macro-wall")]),
     line(
