@@ -54,7 +54,10 @@ pub(super) fn frequencies() -> Answer {
         let found = omega(model_tank(depth), true)? / TAU;
         let what = format!("model tank, H = {depth} m, first frequency by Housner");
         let row = Row::new("table-8.8", what, (reference, source, kind), found, (5.5e-4 / reference, "Hz"));
-        rows.push(reason.map_or_else(|| row.clone(), |reason| row.clone().printed(printed, reason)));
+        rows.push(match reason {
+            Some(reason) => row.printed(printed, reason),
+            None => row,
+        });
     }
     // R = H = 5 m is read off figure 5.20; with g = 9.81 m/s² it is 1.853, with γ/ρ = 10 m/s² 1.8705.
     let mut cylinder =
