@@ -25,7 +25,7 @@ mod site;
 mod tests;
 
 use crate::limit_state::LimitStateDef;
-use crate::procedure::{CodeError, Label, Procedure};
+use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::two_mass::{self, Action, Clauses, Impulsive, Masses, Periods, PressureShape, Rules, Work};
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Site};
@@ -65,6 +65,10 @@ impl Procedure for Aci3502006 {
         false
     }
 
+    fn data(&self) -> &'static str {
+        "`site.api650`, whose data of ASCE 7 it takes; `procedures.run` or `procedures.decide` names it"
+    }
+
     fn table(&self) -> &'static [LimitStateDef] {
         limit_states::TABLE
     }
@@ -74,6 +78,10 @@ impl Procedure for Aci3502006 {
             Ok(()) => limit_states::all(case),
             Err(_) => Vec::new(),
         }
+    }
+
+    fn design_curves(&self, site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
+        site::curves(site)
     }
 
     fn covers(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -18,7 +18,7 @@ mod staging;
 mod tests;
 
 use crate::limit_state::LimitStateDef;
-use crate::procedure::{CodeError, Label, Procedure};
+use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::two_mass::{self, Action, Clauses, Impulsive, Masses, Periods, PressureShape, Rules, Work, periods};
 use tank::Family;
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
@@ -56,6 +56,10 @@ impl Procedure for Is18932014 {
         site.is1893.is_some()
     }
 
+    fn data(&self) -> &'static str {
+        "`site.is1893`; it decides where `procedures.decide` names it"
+    }
+
     fn table(&self) -> &'static [LimitStateDef] {
         limit_states::TABLE
     }
@@ -65,6 +69,10 @@ impl Procedure for Is18932014 {
             Ok(()) => limit_states::all(case),
             Err(_) => Vec::new(),
         }
+    }
+
+    fn design_curves(&self, site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
+        site.is1893.map_or_else(Vec::new, |site| site::curves(&site))
     }
 
     fn covers_staging(&self) -> bool {

@@ -60,6 +60,10 @@ impl Procedure for National {
         site.national.is_some()
     }
 
+    fn data(&self) -> &'static str {
+        "`site.national` beside `site.spectrum`; it decides where `procedures.decide` names it"
+    }
+
     fn table(&self) -> &'static [LimitStateDef] {
         TABLE
     }

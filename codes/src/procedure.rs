@@ -77,6 +77,10 @@ pub trait Procedure: Sync {
     fn unasked(&self, _site: &Site) -> bool {
         true
     }
+    /// Where its site data stand in the tank file, in words; empty where nothing is to be said.
+    fn data(&self) -> &'static str {
+        ""
+    }
     /// The limit states that the code knows, in the order of its checks.
     fn table(&self) -> &'static [LimitStateDef] {
         &[]

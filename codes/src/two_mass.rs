@@ -220,6 +220,9 @@ impl Work<'_> {
         out.push(
             "Rigid wall for the masses, small waves, rigid ground; impulsive and convective maxima by SRSS.".into(),
         );
+        out.push(
+            "Crest and trough beside d_max are those of a wave of finite height; the code asks for d_max alone.".into(),
+        );
         out.extend(rules.assumptions(self.case, self.excitation));
         if self.excitation == Excitation::Record {
             out.push(
@@ -252,8 +255,10 @@ impl Work<'_> {
         sheet.input("ρ", "density of the liquid", case.liquid.density, Density, "input");
         let formula = if breadth > 0.0 { "ρ·L·B·H" } else { "ρ·π·D²/4·H" };
         sheet.calc("m", "mass of the liquid", formula, Mass, "definition");
-        sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
-        sheet.input("h_w", "height of its centre", case.tank.wall_centroid(), Length, "input");
+        let (wall, centre) = case.tank.thick_wall();
+        let source = "courses at the middle of their thickness, with corners and what they carry";
+        sheet.look_up("m_w", "mass of the wall", source, wall, Mass, "definition");
+        sheet.look_up("h_w", "height of its centre", source, centre, Length, "definition");
         sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
         sheet.input("h_r", "height of its centre", case.tank.roof_height(), Length, "input");
         sheet.input("g", "acceleration of free fall", case.gravity, Acceleration, "input");

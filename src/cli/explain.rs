@@ -103,7 +103,10 @@ pub(crate) fn entries() -> Vec<Entry> {
                 "A code procedure; `procedures` of the tank file and --procedures name it. Short in tables: {}.",
                 label.short
             ),
-            facts: Vec::new(),
+            facts: (!procedure.data().is_empty())
+                .then(|| Fact { name: "site data", value: procedure.data().into() })
+                .into_iter()
+                .collect(),
             example: format!("tankcheck check tank.json --procedures {}", procedure.id()),
         }
     });

@@ -35,8 +35,13 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
             .map(|id| {
                 // An engine is checked under the record alone.
                 let code = codes::ALL.iter().any(|procedure| procedure.id() == id);
-                let under_site = code.then(|| decides(id, Excitation::Site)).flatten();
-                under_site.unwrap_or_else(|| Deciding { method: id.clone(), excitation: Excitation::Record })
+                let excitation = match code {
+                    true if computed(id, Excitation::Site) => Excitation::Site,
+                    // Under neither: it is missing where the code asks for it.
+                    true if !computed(id, Excitation::Record) && job.case.site.is_given() => Excitation::Site,
+                    _ => Excitation::Record,
+                };
+                Deciding { method: id.clone(), excitation }
             })
             .collect(),
     }

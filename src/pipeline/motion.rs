@@ -2,9 +2,9 @@
 
 use oscillator::record::Record;
 use oscillator::spectrum::{self, Method};
-use tank::case::Site;
 
 use crate::job::Job;
+use codes::Procedure;
 use results::{RecordSummary, SpectrumCurve};
 
 /// Periods of the curves: 160 from 0.02 s to 20 s, evenly spaced in log T (50 or more a decade show every peak of a
@@ -30,7 +30,7 @@ pub(crate) fn spectra(job: &Job, marks: &[f64]) -> Vec<SpectrumCurve> {
     if let Some(motion) = &job.case.ground_motion {
         curves.extend(response(&motion.horizontal, &periods, &dampings));
     }
-    curves.extend(design(&job.case.site, &periods, &dampings));
+    curves.extend(design(job, &periods, &dampings));
     curves
 }
 
@@ -52,9 +52,12 @@ fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCu
         .collect()
 }
 
-/// Design spectra of all procedures; none for a site outside the scope of the code (its procedure gives the reason).
-fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
-    let curves = codes::ALL.iter().flat_map(|p| p.design_curves(site, dampings));
+/// Design spectra of all procedures, of those that few tanks ask for where they run; none for a site outside the scope of the code (its procedure
+/// gives the reason).
+fn design(job: &Job, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
+    let site = &job.case.site;
+    let shown = |p: &&&dyn Procedure| p.unasked(site) || job.procedures.iter().any(|id| id == p.id());
+    let curves = codes::ALL.iter().filter(shown).flat_map(|p| p.design_curves(site, dampings));
     let covered = |longest: f64| period.iter().copied().filter(|t| *t <= longest).collect::<Vec<_>>();
     curves.map(|c| curve(&c.id, &c.title, c.damping, &covered(c.longest), c.acceleration)).collect()
 }

@@ -30,7 +30,9 @@ pub(super) type Assessed = (Method, Vec<Ingredients>);
 pub fn select_procedures(ids: &[String], decide: &[String], site: &Site) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        let text = format!("procedures: found `{unknown}`, expected any of {}", known.join(", "));
+        let near = known.iter().find(|id| id.starts_with(unknown.as_str()) && unknown.len() > 2);
+        let help = near.map_or_else(String::new, |near| format!("\n  help: did you mean `{near}`?"));
+        let text = format!("procedures: found `{unknown}`, expected any of {}{help}", known.join(", "));
         return Err(Error::input(Code::UnknownId, text));
     }
     let named = |list: &[String], id: &str| list.iter().any(|named| named == id);

@@ -127,3 +127,27 @@ fn a_procedure_that_does_not_run_says_why() {
     assert_eq!(output.status.code(), Some(4), "{text}");
     assert!(text.contains("aci350-2006: not applicable") && text.contains("`site.api650` is not given"), "{text}");
 }
+
+/// Site data of IS 1893-2 alone: its values are there, and the verdict says how it decides. A deciding procedure lists its recalled clauses. An id
+/// without its edition is completed.
+#[test]
+fn what_the_terminal_says() {
+    let home = tempfile::tempdir().unwrap();
+    let path = home.path().join("tank.json");
+    let site = json!({ "is1893": { "zone": "IV", "soil": "medium" } });
+    let run = |procedures: &Value| {
+        std::fs::write(&path, tank(&site, procedures)).unwrap();
+        let output = crate::compare::tankcheck(&["check", path.to_str().unwrap()]);
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap())
+    };
+    let [text, _] = run(&json!({}));
+    let line = "no method decides: name one in `procedures.decide`; computed for the site: `is1893-2014`";
+    assert!(text.contains(line) && !text.contains("no anchors"), "{text}");
+    let [text, _] = run(&json!({ "decide": ["is1893-2014"] }));
+    assert!(text.contains("recalled: is1893-2014 has these clauses from memory"), "{text}");
+    assert!(text.contains("IS 1893-2:2014 table 2"), "{text}");
+    let [text, _] = run(&json!({ "decide": ["aci350-2006"] }));
+    assert!(text.contains("deciding: aci350-2006 (site)") && !text.contains("(record)"), "{text}");
+    let [_, fault] = run(&json!({ "run": ["aci350"] }));
+    assert!(fault.contains("did you mean \"aci350-2006\"?"), "{fault}");
+}

@@ -1,14 +1,15 @@
 //! Accelerations of ACI 350.3-06 from the data of ASCE 7.
 
+use tank::STANDARD_GRAVITY;
 use tank::Shape;
-use tank::case::Api650Site;
+use tank::case::{Api650Site, Site};
 use tank::factor::Factor;
 use tank::ingredients::{Ordinate, Rule};
 use tank::units::Dimension::{Density, Dimensionless, Stress, Time};
 
 use super::Kind;
 use crate::api650::ground_motion::DesignSpectrum;
-use crate::procedure::CodeError;
+use crate::procedure::{CodeError, DesignCurve};
 use crate::two_mass::{Action, Periods, Work};
 
 const SITE: &str = "ACI 350.3-06 9.4, ASCE 7 11.4";
@@ -39,6 +40,25 @@ fn reduction(kind: Kind) -> (f64, &'static str) {
     }
 }
 
+/// C_i and C_c over the period, without importance and reduction; none where the data do not give them.
+pub(super) fn curves(site: &Site) -> Vec<DesignCurve> {
+    let given = site.api650.as_ref().filter(|_| site.spectrum.is_none());
+    let Some(Ok(spectrum)) = given.map(DesignSpectrum::new) else { return Vec::new() };
+    let DesignSpectrum { s_ds, s_d1, t_s, .. } = spectrum;
+    let convective = move |t: f64| if t > LONG / t_s { 2.4 * s_ds / (t * t) } else { 1.5 * s_ds.min(s_d1 / t) };
+    let curve = |id: &str, title: &str, damping: f64, acceleration: Box<dyn Fn(f64) -> f64>| DesignCurve {
+        id: id.into(),
+        title: title.into(),
+        damping,
+        longest: f64::INFINITY,
+        acceleration,
+    };
+    vec![
+        curve("aci350-0.05", "ACI 350.3 C_i, ξ = 5 %", 0.05, Box::new(move |t| s_ds.min(s_d1 / t) * STANDARD_GRAVITY)),
+        curve("aci350-0.005", "ACI 350.3 C_c, ξ = 0.5 %", 0.005, Box::new(move |t| convective(t) * STANDARD_GRAVITY)),
+    ]
+}
+
 /// Lines of the accelerations.
 pub(super) fn action(work: &mut Work, periods: &Periods) -> Result<Action, CodeError> {
     // `applies` has asked before.
@@ -57,14 +77,19 @@ pub(super) fn action(work: &mut Work, periods: &Periods) -> Result<Action, CodeE
     let (r_i, name) = reduction(Kind::of(work.case));
     let sheet = &mut work.sheet;
     for (symbol, name, value, clause) in [
-        ("S_DS", "design acceleration at short periods [g]", spectrum.s_ds, SITE),
-        ("S_D1", "design acceleration at one second [g]", spectrum.s_d1, SITE),
+        ("q", "share of the maximum considered earthquake", site.q, SITE),
+        ("S_S", "mapped acceleration at short periods [g]", site.ss, SITE),
+        ("S_1", "mapped acceleration at one second [g]", site.s1, SITE),
+        ("F_a", "site coefficient at short periods", spectrum.f_a, SITE),
+        ("F_v", "site coefficient at one second", spectrum.f_v, SITE),
         ("I", "importance factor", i, IMPORTANCE),
         ("R_i", name, r_i, REDUCTION),
         ("R_c", "response modification, convective", 1.0, REDUCTION),
     ] {
         sheet.input(symbol, name, value, Dimensionless, clause);
     }
+    sheet.calc("S_DS", "design acceleration at short periods [g]", "q·F_a·S_S", Dimensionless, SITE);
+    sheet.calc("S_D1", "design acceleration at one second [g]", "q·F_v·S_1", Dimensionless, SITE);
     let t_s = sheet.calc("T_S", "end of the plateau", "S_D1/S_DS", Time, SITE);
     let short = periods.impulsive.is_none_or(|part| part.period <= t_s);
     let formula = if short { "S_DS" } else { "S_D1/T_i" };

@@ -5,10 +5,10 @@ use tank::factor::Factor;
 use tank::ingredients::Ordinate;
 use tank::national::{Is1893Site, Soil, Zone};
 use tank::units::Dimension::Dimensionless;
-use tank::{StagingKind, Support, WallBase};
+use tank::{STANDARD_GRAVITY, StagingKind, Support, WallBase};
 
 use super::{CLAUSES, staging};
-use crate::procedure::CodeError;
+use crate::procedure::{CodeError, DesignCurve};
 use crate::sheet::Sheet;
 use crate::two_mass::{Action, Periods, Work};
 
@@ -35,14 +35,26 @@ fn zone_factor(zone: Zone) -> f64 {
     }
 }
 
+/// Falling branch of S_a/g times the period [s], and its last value.
+fn branches(soil: Soil) -> (f64, f64) {
+    match soil {
+        Soil::Hard => (1.0, 0.25),
+        Soil::Medium => (1.36, 0.34),
+        Soil::Soft => (1.67, 0.42),
+    }
+}
+
 /// S_a/g at 5 % of a period of this symbol, as a formula.
 fn ordinate(soil: Soil, symbol: &str, period: f64) -> String {
-    let (falling, last) = match soil {
-        Soil::Hard => ("1", "0.25"),
-        Soil::Medium => ("1.36", "0.34"),
-        Soil::Soft => ("1.67", "0.42"),
-    };
-    if period > LAST { last.into() } else { format!("min(2.5, {falling}/{symbol})") }
+    let (falling, last) = branches(soil);
+    if period > LAST { last.to_string() } else { format!("min(2.5, {falling}/{symbol})") }
+}
+
+/// Line of S_a/g at a period of this symbol.
+fn spectrum(sheet: &mut Sheet, symbol: &str, soil: Soil, (at, period): (&str, f64)) {
+    let beyond = if period > LAST { ", the last value beyond 4 s" } else { "" };
+    let name = format!("S_a/g at {at}, 5 % damping{beyond}");
+    sheet.calc(symbol, &name, &ordinate(soil, at, period), Dimensionless, SPECTRUM);
 }
 
 /// Response reduction R: the user's, or that of the kind of base or staging.
@@ -79,12 +91,28 @@ fn reduction(site: &Is1893Site, case: &Case) -> Result<(f64, &'static str), Code
     }
 }
 
+/// Z/2 k S_a over the period at 5 and 0.5 % damping, without importance and reduction.
+pub(super) fn curves(site: &Is1893Site) -> Vec<DesignCurve> {
+    let level = 0.5 * zone_factor(site.zone) * STANDARD_GRAVITY;
+    let (falling, last) = branches(site.soil);
+    let shape = move |t: f64| if t > LAST { last } else { f64::min(2.5, falling / t) };
+    [("0.05", "5", 0.05, 1.0), ("0.005", "0.5", 0.005, SLOSHING)]
+        .map(|(id, percent, damping, factor)| DesignCurve {
+            id: format!("is1893-{id}"),
+            title: format!("IS 1893 Z/2 S_a, ξ = {percent} %"),
+            damping,
+            longest: f64::INFINITY,
+            acceleration: Box::new(move |t| level * factor * shape(t)),
+        })
+        .into()
+}
+
 /// Lines of the acceleration of the empty tank, below those of [`action`].
 ///
 /// Errors: no site data.
 pub(super) fn empty(sheet: &mut Sheet, case: &Case, period: f64) -> Result<(), CodeError> {
     let Some(site) = case.site.is1893 else { return Err(missing_site()) };
-    sheet.calc("S_e", "S_a/g at T_e, 5 % damping", &ordinate(site.soil, "T_e", period), Dimensionless, SPECTRUM);
+    spectrum(sheet, "S_e", site.soil, ("T_e", period));
     let name = "acceleration of the empty tank [g]";
     sheet.calc("A_e", name, "Z/2·I/R·k_i·S_e", Dimensionless, CLAUSES.action);
     Ok(())
@@ -115,10 +143,9 @@ pub(super) fn action(work: &mut Work, periods: &Periods) -> Result<Action, CodeE
     ] {
         sheet.input(symbol, name, value, Dimensionless, clause);
     }
-    let formula = ordinate(site.soil, "T_i", impulsive.period);
-    sheet.calc("S_i", "S_a/g at T_i, 5 % damping", &formula, Dimensionless, SPECTRUM);
-    let formula = ordinate(site.soil, "T_c", periods.convective);
-    sheet.calc("S_c", "S_a/g at T_c, 5 % damping", &formula, Dimensionless, SPECTRUM);
+    for (symbol, at, period) in [("S_i", "T_i", impulsive.period), ("S_c", "T_c", periods.convective)] {
+        spectrum(sheet, symbol, site.soil, (at, period));
+    }
     let clause = CLAUSES.action;
     let a_i = sheet.calc("A_i", "impulsive acceleration [g]", "Z/2·I/R·k_i·S_i", Dimensionless, clause);
     let a_c = sheet.calc("A_c", "convective acceleration [g]", "Z/2·I/R·k_c·S_c", Dimensionless, clause);

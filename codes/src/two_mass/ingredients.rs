@@ -57,14 +57,12 @@ impl Work<'_> {
         let of = |quantity, exact, value| {
             Ingredients::ladder(quantity, &[(Factor::RigidTank, exact), (Factor::Formula, value)])
         };
-        let wall = case.tank.wall_mass();
-        let whole = (Factor::Modes, wall);
-        let of_wall: &[_] = if share < 1.0 { &[whole, (Factor::Formula, share * wall)] } else { &[whole] };
+        let of_wall = [(Factor::Modes, case.tank.wall_mass()), (Factor::Formula, share * case.tank.thick_wall().0)];
         let mut all = vec![
             of(Quantity::SloshingPeriod, exact, periods.convective),
             of(Quantity::ImpulsiveMass, mass * impulsive(self.plan, gamma).mass, masses.impulsive.mass),
             of(Quantity::ConvectiveMass, mass * convective(self.plan, gamma, 1).mass, masses.convective.mass),
-            Ingredients::ladder(Quantity::WallMass, of_wall),
+            Ingredients::ladder(Quantity::WallMass, &of_wall),
         ];
         if case.tank.roof.mass > 0.0 {
             all.push(Ingredients::ladder(Quantity::RoofMass, &[(Factor::Modes, case.tank.roof.mass)]));
@@ -82,6 +80,7 @@ impl Work<'_> {
     /// Base shear and moments.
     fn responses(&self, masses: &Masses, action: &Action, share: f64) -> Vec<Ingredients> {
         let tank = &self.case.tank;
+        let (wall, centre) = tank.thick_wall();
         type Arm = fn(&Lumped) -> f64;
         let arms: [(Quantity, Arm, bool); 3] = [
             (Quantity::BaseShear, |_| 1.0, false),
@@ -93,7 +92,7 @@ impl Work<'_> {
             let liquid = |part: &Lumped| Share::new(part.mass, arm(part));
             let response = Response {
                 impulsive: Some(Part {
-                    wall: Share::new(share * tank.wall_mass(), height(tank.wall_centroid())),
+                    wall: Share::new(share * wall, height(centre)),
                     roof: Share::new(tank.roof.mass, height(tank.roof_height())),
                     ..Part::liquid(action.impulsive.clone(), liquid(&masses.impulsive))
                 }),

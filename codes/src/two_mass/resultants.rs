@@ -14,7 +14,7 @@ impl Work<'_> {
     pub(super) fn resultants(&mut self, share: Option<f64>, clauses: &Clauses) {
         let wall = if share.is_some() { "ε·m_w" } else { "m_w" };
         let tank = &self.case.tank;
-        let of_wall = share.unwrap_or(1.0) * tank.wall_mass();
+        let of_wall = share.unwrap_or(1.0) * tank.thick_wall().0;
         let [heading, shear, above, below] = match tank.staging {
             None => [
                 "Base shear and moments",

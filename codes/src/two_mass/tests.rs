@@ -54,3 +54,17 @@ pub(crate) fn printed(out: &Assessment, values: &[(&str, f64, f64)]) {
         assert!((found - expected).abs() <= half * (1.0 + 1e-9), "{symbol}: {found} instead of {expected} ± {half}");
     }
 }
+
+/// Mass of a wall: the area between its faces times height and density, at half of the height.
+#[test]
+fn mass_of_a_thick_wall() {
+    let basin = basin();
+    let box_area = 18.8 * 9.8 - 18.0 * 9.0;
+    let round = tank(Shape::Cylinder { radius: 9.0 }, 4.0, (4.5, 0.40), 25e9);
+    let ring = std::f64::consts::PI * (9.4 * 9.4 - 9.0 * 9.0);
+    for (case, area) in [(basin, box_area), (round, ring)] {
+        let (mass, centre) = case.tank.thick_wall();
+        let expected = area * 4.5 * case.tank.courses[0].material.density;
+        assert!((mass / expected - 1.0).abs() < 1e-12 && (centre - 2.25).abs() < 1e-12, "{mass} {expected} {centre}");
+    }
+}

@@ -197,7 +197,7 @@ fn overview(page: &mut Page, results: &Results) -> Result<(), XlsxError> {
             page.cells([Some(Cell::Text(label)), Some(Cell::Text(value))])?;
         }
     }
-    let verdict = [all_words::verdict::headline(&results.verdict), all_words::verdict::deciding(&results.verdict)];
+    let verdict = [all_words::verdict::headline(&results.verdict), all_words::verdict::deciding(results)];
     for (label, text) in words::VERDICT.into_iter().zip(&verdict) {
         page.cells([Some(Cell::Text(label)), Some(Cell::Text(text))])?;
     }

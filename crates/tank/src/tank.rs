@@ -445,6 +445,28 @@ impl Tank {
         (mass, moment)
     }
 
+    /// Mass of a thick wall with what it carries below the roof [kg], and the height of its centre [m]: the courses at the middle of their
+    /// thickness, a rectangle with its corners. [`Tank::wall_mass`] has them on the inner face, as engines and thin walls do.
+    pub fn thick_wall(&self) -> (f64, f64) {
+        let (mut mass, mut moment, mut base) = (0.0, 0.0, 0.0);
+        for course in &self.courses {
+            let beyond = match self.shape {
+                Shape::Cylinder { .. } => std::f64::consts::PI * course.thickness,
+                Shape::Rectangle { strip: true, .. } => 0.0,
+                Shape::Rectangle { .. } => 4.0 * course.thickness,
+            };
+            let own = (self.perimeter() + beyond) * course.height * course.thickness * course.material.density;
+            mass += own;
+            moment += own * (base + 0.5 * course.height);
+            base += course.height;
+        }
+        for (one, height) in self.carried() {
+            mass += one;
+            moment += one * height;
+        }
+        (mass, moment / mass)
+    }
+
     /// Height of the roof's centre of mass [m].
     pub fn roof_height(&self) -> f64 {
         self.roof.centre(self.wall_height())

@@ -186,7 +186,10 @@ fn sentences(results: &Results) -> String {
     for warning in results.warnings.iter().filter(|w| words::verdict::of_input(w)) {
         let _ = writeln!(text, "  unusual: {}", warning.text());
     }
-    let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
+    let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(results));
+    for line in words::verdict::recalled(results) {
+        let _ = writeln!(text, "  {line}");
+    }
     for code in &verdict.overruled {
         let governing = code.checks.governing.as_ref().map(terminal::governing);
         let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();

@@ -335,6 +335,12 @@ impl<'a> ObjectReader<'a> {
 pub(in crate::input) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let folded = word.to_lowercase().replace(['-', ' '], "_");
     let length = folded.chars().count();
+    let known: Vec<&str> = known.into_iter().collect();
+    // An id without its edition.
+    let edition = |k: &&&str| k.strip_prefix(word).is_some_and(|rest| rest.starts_with('-'));
+    if let Some(whole) = known.iter().find(edition) {
+        return Some(whole);
+    }
     known
         .into_iter()
         // The distance is at least the difference of the lengths, so long texts are not compared.

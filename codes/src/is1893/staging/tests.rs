@@ -80,7 +80,7 @@ fn resultants_by_hand() {
     let case = elevated(8.6, 4.3, StagingKind::DuctileRcFrame);
     let out = assessed(&Is18932014, &case);
     let of = |symbol| line(&out, symbol);
-    let wall = PI * 8.6 * 4.8 * 0.2 * case.tank.courses[0].material.density;
+    let wall = PI * 8.8 * 4.8 * 0.2 * case.tank.courses[0].material.density;
     let own = wall + 32e3 + 75e3;
     near(of("m_s"), own + 110e3 / 3.0, 1e-6 * own, "m_s");
     let centre = 16.0 + (wall * 2.4 + 32e3 * 4.8 - 75e3 * 0.2) / own;

@@ -34,12 +34,14 @@ struct Entry {
 }
 
 /// Subjects: title, and how the keys begin.
-const SUBJECTS: [(&str, &str); 9] = [
+const SUBJECTS: [(&str, &str); 11] = [
     ("Tank", "tank."),
     ("Liquid", "liquid."),
     ("Material", "materials"),
     ("Site, EN 1998", "site.ec8."),
     ("Site, API 650", "site.api650."),
+    ("Site, IS 1893-2", "site.is1893."),
+    ("Site, national code", "site.national."),
     ("Site", "site."),
     ("Damping", "damping."),
     ("Record", "record."),

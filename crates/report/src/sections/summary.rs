@@ -151,7 +151,7 @@ fn deciding(results: &Results) -> String {
         format!("{title} ({})", d.excitation.word())
     };
     match results.verdict.deciding.as_slice() {
-        [] => words::verdict::deciding(&results.verdict),
+        [] => words::verdict::deciding(results),
         some => some.iter().map(titled).collect::<Vec<_>>().join("; "),
     }
 }

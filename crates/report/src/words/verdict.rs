@@ -2,8 +2,8 @@
 
 use files::code::{Code, Warning};
 use results::compare::{Incomplete, Unusable};
-use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Overruled, Results, Verdict, VerdictStatus};
-use tank::assessment::{Check, CheckStatus};
+use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Method, Overruled, Results, Status, Verdict, VerdictStatus};
+use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::units::{Dimension, display};
 use tank::{Shape, WallBase};
 
@@ -79,12 +79,34 @@ fn plural<'a>(count: usize, one: &'a str, several: &'a str) -> &'a str {
 }
 
 /// The methods that decide.
-pub fn deciding(verdict: &Verdict) -> String {
+pub fn deciding(results: &Results) -> String {
     let named = |d: &Deciding| format!("{} ({})", d.method, d.excitation.word());
-    match verdict.deciding.as_slice() {
+    let of_site = |m: &&Method| m.excitation == Excitation::Site && m.status == Status::Computed;
+    let computed: Vec<String> = results.methods.iter().filter(of_site).map(|m| format!("`{}`", m.id)).collect();
+    match results.verdict.deciding.as_slice() {
+        [] if !computed.is_empty() => {
+            format!(
+                "no method decides: name one in `procedures.decide`; computed for the site: {}",
+                computed.join(", ")
+            )
+        }
         [] => "no method decides: give `site` with the data of a code, or name one in `procedures.decide`".into(),
         deciding => deciding.iter().map(named).collect::<Vec<_>>().join(", "),
     }
+}
+
+/// Clauses on which deciding methods rest and that no source was compared with, a sentence for each method.
+pub fn recalled(results: &Results) -> Vec<String> {
+    let methods = results.methods.iter().filter(|m| results.verdict.decides(m) && !m.recalled.is_empty());
+    methods
+        .map(|m| {
+            format!(
+                "recalled: {} has these clauses from memory, compared with no source: {}",
+                m.id,
+                m.recalled.join("; ")
+            )
+        })
+        .collect()
 }
 
 /// How the missing part of the verdict is supplied.

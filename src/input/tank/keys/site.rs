@@ -23,7 +23,7 @@ object! {
     Site {
         /// Eurocode 8.
         ec8: Opt<Given<Ec8Site>> = Absent::Without("no design spectrum of this code"),
-        /// API 650.
+        /// API 650; ACI 350.3 takes its data of ASCE 7 from here too.
         api650: Opt<Given<Api650Site>> = Absent::Without("no design spectrum of this code"),
         /// The user's spectrum, in place of those of the codes.
         spectrum: Opt<Spectrum> = Absent::Without("the spectra of the codes"),
