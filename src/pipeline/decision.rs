@@ -47,15 +47,13 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
     }
 }
 
-/// Editions in force of codes that the site names, of which a check fails and which do not decide since the user names others.
+/// Procedures that the site names, in force or with data of their own there, of which a check fails and which do not decide: the user names others, or has to
+/// name them.
 pub(super) fn overruled(job: &Job, methods: &[Method]) -> Vec<Overruled> {
-    let decide = &job.decision.decide;
-    if decide.is_empty() {
-        return Vec::new();
-    }
-    let left_out = |m: &&Method| m.excitation == Excitation::Site && !decide.contains(&m.id);
-    let in_force = |m: &&Method| codes::ALL.iter().any(|p| p.id() == m.id && p.decides(&job.case.site));
-    let methods = methods.iter().filter(left_out).filter(in_force);
+    let (site, deciding) = (&job.case.site, deciding(job, methods));
+    let left_out = |m: &&Method| m.excitation == Excitation::Site && deciding.iter().all(|d| d.method != m.id);
+    let named = |p: &&&dyn Procedure| p.decides(site) || (p.unasked(site) && !p.data().is_empty());
+    let methods = methods.iter().filter(left_out).filter(|m| codes::ALL.iter().filter(named).any(|p| p.id() == m.id));
     let asides = methods.map(|method| Overruled { method: method.id.clone(), checks: Aside::of(method) });
     asides.filter(|o| o.checks.counts.fails > 0).collect()
 }

@@ -12,7 +12,7 @@ use tank::case::Case;
 
 use crate::job::Job;
 use results::roof_wave::{Bent, Carried, Pressed, fixed, floating};
-use results::{Method, Part, Status};
+use results::{FE, Method, Part, Status};
 
 /// None of a tank without a roof, and of a fixed roof that no wave reaches.
 pub(super) fn part(job: &Job, methods: &[Method]) -> Option<Part> {
@@ -51,17 +51,19 @@ fn pressed(case: &Case, method: &Method) -> Option<Pressed> {
     })
 }
 
-/// The action of the site as a procedure takes it, or the first that the site gives the data of.
-fn of_site<'a>(case: &'a Case, method: Option<&str>) -> Option<ModalAction<'a>> {
-    let own = method.filter(|id| site_action::ids().contains(id));
-    site_action::of(case, own, true)?.1.ok()
+/// The action of the site as a procedure takes it; that of engines is the first that the site gives the data of.
+fn of_site<'a>(case: &'a Case, procedure: Option<&str>) -> Option<ModalAction<'a>> {
+    site_action::of(case, procedure, true)?.1.ok()
 }
 
-/// Spectral acceleration at the impulsive period of a method, 0 of a rigid tank [m/s²].
+/// Spectral acceleration at the impulsive period of a method, 0 of a rigid tank [m/s²]; none of the site for a procedure that gives no action to modes.
 fn impulsive(case: &Case, method: &Method, period: f64) -> Option<f64> {
     let damping = case.damping.impulsive;
     match method.excitation {
-        Excitation::Site => Some((of_site(case, Some(&method.id))?.structural)(period, damping)),
+        Excitation::Site => {
+            let procedure = Some(method.id.as_str()).filter(|id| !id.starts_with(FE));
+            Some((of_site(case, procedure)?.structural)(period, damping))
+        }
         Excitation::Record => {
             let record = &case.ground_motion.as_ref()?.horizontal;
             Some(if period > 0.0 { ordinates(record, period, damping).psa } else { record.pga() })

@@ -101,6 +101,10 @@ pub(super) fn resultants(work: &mut Work, staging: &Staging) -> Result<(), CodeE
         sheet.calc("M_xy", &format!("moment, {what}"), "√(1 + 0.3²)·M_max", Moment, DIRECTIONS);
     }
     work.out.values.extend([(Quantity::BaseShear, shear), (Quantity::OverturningMoment, moment)]);
+    work.out.notes.push(
+        "Base shear and overturning moment are those at the top of the footing, the larger of full and empty tank."
+            .into(),
+    );
     Ok(())
 }
 

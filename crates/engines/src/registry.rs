@@ -26,7 +26,7 @@ pub(crate) fn elevated(task: &Task<'_>) -> Option<Refusal> {
     let message = "not applicable: the tank stands on a staging; the finite-element engines model tanks on the ground";
     Some(
         Refusal::new(Place::Staging, message, "no tank.staging")
-            .help("use `tankcheck check`, or `compare --fe none`, for the codes alone"),
+            .help("use `tankcheck check`, or `compare` without `--fe`, for the codes alone"),
     )
 }
 

@@ -19,6 +19,8 @@ words! {
 
 /// Masses of parts, up to that of the largest water tower.
 const MASS: Limits = Limits::from(0.0).to(1e8);
+/// Lateral stiffness of stagings.
+const STIFFNESS: Limits = Limits::from(1e3).to(1e12).usual(1e6, 1e9);
 /// Heights of stagings.
 const HEIGHT: Limits = Limits::above(0.0).to(300.0).usual(3.0, 60.0);
 
@@ -28,9 +30,9 @@ keys! {
         /// Kind of staging.
         kind ("ductile_rc_frame"): Field<StagingKind>,
         /// Lateral stiffness: the horizontal force at the centre of the empty container over its displacement there.
-        stiffness ("17 MN/m"): Field<LineForce> [Limits::from(1e3).to(1e12)],
+        stiffness ("17 MN/m"): Field<LineForce> [STIFFNESS],
         /// Mass of columns and braces, or of the shaft.
-        mass ("110 t"): Field<Mass> [MASS],
+        mass ("110 t"): Field<Mass> [MASS.usual(5e3, 1e7)],
         /// Height of the bottom of the wall above the top of the footing.
         height ("16 m"): Field<Length> [HEIGHT],
         /// Mass of the container besides wall and roof: its floor, dome or cone, ring beams, gallery.
