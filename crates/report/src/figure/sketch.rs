@@ -13,6 +13,8 @@ const WIDTH: f64 = super::WIDE;
 const FONT: f64 = 11.0;
 /// Least distance of the labels of courses.
 const LABEL: f64 = 14.0;
+/// Height of a staging, which is not to scale.
+const STAGING: f64 = 54.0;
 /// Length of the tick of a ring.
 const TICK: f64 = 6.0;
 
@@ -125,9 +127,14 @@ impl Section<'_> {
         }
     }
 
+    /// Level of the ground under a staging, or under the tank.
+    fn foot(&self) -> f64 {
+        self.ground + if self.summary.tank.staging.is_some() { STAGING } else { 0.0 }
+    }
+
     /// Ground and support.
     fn ground(&self, svg: &mut Svg) {
-        let ground = self.ground;
+        let ground = self.foot();
         let (from, to) = (self.x(-self.half) - 26.0, self.x(self.half) + 26.0);
         svg.line((from, ground), (to, ground), "gd");
         let mut hatch = from;
@@ -135,8 +142,15 @@ impl Section<'_> {
             svg.line((hatch + 7.0, ground), (hatch, ground + 7.0), "ht");
             hatch += 9.0;
         }
-        if self.summary.tank.support == Support::Anchored {
-            let (left, right) = self.sides();
+        let (left, right) = self.sides();
+        if let Some(staging) = self.summary.tank.staging {
+            svg.line((left, self.ground), (right, self.ground), "wl");
+            for side in [left, right] {
+                svg.line((side, self.ground), (side, ground), "wl");
+            }
+            let text = format!("staging {}", given(staging.height, Dimension::Length));
+            svg.text((self.x(0.0), 0.5 * (self.ground + ground) + 4.0), Anchor::Middle, "lb halo", &text);
+        } else if self.summary.tank.support == Support::Anchored {
             for side in [left, right] {
                 svg.line((side, ground), (side, ground + 15.0), "wl");
                 svg.line((side - 5.0, ground + 15.0), (side + 5.0, ground + 15.0), "wl");
@@ -157,7 +171,7 @@ impl Section<'_> {
             Shape::Rectangle { length, .. } => ("2L", length, left),
         };
         let text = format!("{symbol} = {}", given(size, Dimension::Length));
-        horizontal_dimension(svg, self.ground + 34.0, (from, right), &text);
+        horizontal_dimension(svg, self.foot() + 34.0, (from, right), &text);
     }
 }
 
@@ -184,8 +198,8 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let tall = LABEL * tank.courses.len().saturating_sub(1) as f64 + 14.0;
     let top = f64::max(10.0 + roof, tall - wall * scale);
     let ground = top + wall * scale;
-    let height = (ground + 70.0).max(top + plan_depth * scale + 22.0);
     let section = Section { summary, scale, left, ground, half, wall };
+    let height = (section.foot() + 70.0).max(top + plan_depth * scale + 22.0);
     let mut svg = Svg::new();
     section.liquid(&mut svg);
     // Axis of symmetry.
@@ -198,7 +212,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     section.dimensions(&mut svg);
     let middle = (top + (plan_depth * scale / 2.0).max(20.0)).max((top + ground) / 2.0);
     plan(&mut svg, summary, (WIDTH - 12.0 - half * scale, middle), scale);
-    scale_bar(&mut svg, (section.x(-half), ground + 64.0), scale, half.max(wall));
+    scale_bar(&mut svg, (section.x(-half), section.foot() + 64.0), scale, half.max(wall));
     ((WIDTH, height), svg.into_markup(), exaggeration)
 }
 

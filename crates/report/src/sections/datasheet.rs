@@ -41,7 +41,7 @@ const SUBJECTS: [(&str, &str); 11] = [
     ("Site, EN 1998", "site.ec8."),
     ("Site, API 650", "site.api650."),
     ("Site, IS 1893-2", "site.is1893."),
-    ("Site, national code", "site.national."),
+    ("Site, national", "site.national."),
     ("Site", "site."),
     ("Damping", "damping."),
     ("Record", "record."),

@@ -26,7 +26,7 @@ pub(crate) fn sketch(summary: &TankSummary) -> Figure {
     let (size, markup, exaggeration) = sketch::draw(summary);
     let (plan, support) = (plan(summary.tank.shape), support(summary.tank.support));
     Figure::new("sketch", "Tank", (size, markup), courses(summary))
-        .captioned(figures::sketch(exaggeration))
+        .captioned(figures::sketch(exaggeration, summary.tank.staging.is_some()))
         .described(figures::sketch_description(plan, support, &summary.tank, &summary.liquid))
 }
 

@@ -143,9 +143,11 @@ pub fn combined(envelope: &Envelope) -> [String; 2] {
     ]
 }
 
-/// Caption of the sketch; `exaggeration` is the factor on the thickness of the wall.
-pub fn sketch(exaggeration: f64) -> String {
-    if exaggeration > 1.0 {
+/// Caption of the sketch; `exaggeration` is the factor on the thickness of the wall, `raised` a tank on a staging.
+pub fn sketch(exaggeration: f64, raised: bool) -> String {
+    if raised {
+        "Section and plan; the height of the staging and the thickness of the wall are not to scale.".into()
+    } else if exaggeration > 1.0 {
         format!("Section and plan to one scale; wall thickness exaggerated {}×.", plain(exaggeration, 0))
     } else {
         "Section and plan to one scale.".into()
