@@ -103,7 +103,8 @@ const PRINTED: [Option<(f64, &str)>; 5] = [
 ///
 /// Tolerance: the table has whole numbers, rounded or cut (table 8.11 has 0.55 m for 0.556): one of the last digit.
 fn lowest_element() -> Answer {
-    let sections = vec![Arc::new(elastic_section()?); 16];
+    let section = Arc::new(elastic_section()?);
+    let sections = (0..16).map(|_| Arc::clone(&section)).collect();
     let levels = (0..=16).map(|i| HEIGHT * f64::from(i) / 16.0).collect();
     let tank = StripTank { levels, sections, ..tank(elastic_section()?, 10, 1.0, Options::default())? };
     let strip = StripModel::new(&tank, StripDamping::Rayleigh(Rayleigh::NONE))?;
