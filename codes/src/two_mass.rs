@@ -135,6 +135,8 @@ pub(crate) struct Work<'a> {
     pub plan: Plan,
     /// D or L [m].
     pub length: f64,
+    /// Why the masses are not for this tank, where they are not: its wave is not judged then.
+    pub doubt: Option<String>,
 }
 
 /// Runs the chain with the rules of a code.
@@ -147,6 +149,7 @@ pub(crate) fn assess(rules: &dyn Rules, case: &Case, excitation: Excitation) -> 
         out: Assessment::default(),
         plan: Plan::from(case.tank.shape),
         length: 2.0 * case.tank.shape.half_length(),
+        doubt: None,
     };
     work.assumptions(rules);
     work.inputs();

@@ -145,6 +145,7 @@ fn pressures_have_the_forces_of_the_masses() {
                 out: Default::default(),
                 plan,
                 length: 14.0,
+                doubt: None,
             };
             let field = Field::new(&work, Form::Linear, &masses);
             // Breadth that collects the pressure: π R of cos θ, 3/4 π R·(3/2) of the sloshing shape at θ = 0, both walls of a box.

@@ -1,4 +1,4 @@
-//! An elevated tank: container and impulsive liquid as one mass on the spring of the staging, sloshing as another of its own.
+//! An elevated tank as two masses: container and impulsive liquid on the spring of the staging, and the sloshing mass on its own spring.
 //!
 //! ```text
 //! m_s  = m_w + m_r + m_b + m_st/3       h_cg  centre of the empty container above the top of the footing, h_s that of the bottom of the wall
@@ -64,10 +64,11 @@ pub(super) fn period(work: &mut Work, staging: &Staging) -> Impulsive {
     let second = sheet.calc("T_2", "second period, coupled", "T_i/√((β + √(β² - 4·τ))/2)", Time, COUPLED);
     let sloshing = work.out.values.get(&Quantity::SloshingPeriod).copied().unwrap_or(f64::NAN);
     if sloshing < APART * period {
+        let ratio = crate::sheet::number(sloshing / period);
+        work.doubt = Some(format!("T_c is {ratio} times T_i; uncoupled masses are for a ratio of at least {APART}"));
         work.out.notes.push(format!(
-            "Sloshing and staging are not far apart: T_c is {} times T_i, and the coupled masses have the periods {} and {}. Uncoupled masses are \
+            "Sloshing and staging are not far apart: T_c is {ratio} times T_i, and the coupled masses have the periods {} and {}. Uncoupled masses are \
              for a ratio of at least {APART}.",
-            crate::sheet::number(sloshing / period),
             crate::sheet::with_unit(first, Time),
             crate::sheet::with_unit(second, Time)
         ));

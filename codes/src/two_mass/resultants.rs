@@ -61,7 +61,10 @@ impl Work<'_> {
         if self.excitation == Excitation::Site {
             let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
             let check = FREEBOARD.check().of(height, self.case.freeboard(), clauses.wave, note);
-            self.out.checks.push(check);
+            self.out.checks.push(match &self.doubt {
+                Some(reason) => check.left_open(reason.clone()),
+                None => check,
+            });
         }
     }
 }

@@ -75,7 +75,7 @@ pub fn known(record: &Record) -> Option<&'static Known> {
 mod tests {
     use super::*;
 
-    /// A record with the step, length, peak and intensity of one, and what is no copy of it: a scaled, a shifted, a shorter one, another step.
+    /// A record with all numbers of a processing is a copy; one that is scaled, shifted, shorter or at another step is not.
     #[test]
     fn a_copy_has_all_of_a_processing() {
         let of = |flat: f64, at: usize| {

@@ -277,7 +277,7 @@ impl Liquid {
         self.bulk_modulus.unwrap_or(2.06e9)
     }
 
-    /// Velocity of sound √(K/ρ) [m/s]; that of water where K is not given, whatever the density.
+    /// Velocity of sound √(K/ρ) [m/s]; where K is not given, that of water for any density.
     pub fn sound(&self) -> f64 {
         self.bulk_modulus.map_or(1435.0, |modulus| (modulus / self.density).sqrt())
     }

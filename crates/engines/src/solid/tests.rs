@@ -71,7 +71,7 @@ fn an_amplitude_of_zero_is_the_perfect_tank() {
     assert!(zero.result.around.is_none());
 }
 
-/// A model that serves several records gives each of them the same bits as a model of its own.
+/// A model shared by several records gives each of them the same bits as a separate model.
 #[test]
 fn one_model_serves_all_records() {
     let (options, solid) = (options(), SolidOptions { imperfections: Imperfections::NONE, ..solid(0.0, 0.0) });

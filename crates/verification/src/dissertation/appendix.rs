@@ -42,7 +42,7 @@ pub(super) fn under(mut case: Case, ground: f64, sloshing: f64) -> Result<Case, 
     Ok(case)
 }
 
-/// The value of a line of a calculation sheet; not a number if there is none.
+/// The value of a line of a calculation sheet; NaN where the sheet has no such line.
 pub(super) fn line(sheet: &Assessment, symbol: &str) -> f64 {
     sheet.steps.iter().find(|step| step.symbol == symbol).map_or(f64::NAN, |step| step.value)
 }
