@@ -22,6 +22,7 @@ impl Band {
     }
 
     /// Makes all of it zero.
+    #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.columns.fill([0.0; COLUMN]);
     }
@@ -40,6 +41,7 @@ impl Band {
     }
 
     /// Adds a symmetric block of consecutive unknowns from `first` on, of which the lower half is read.
+    #[inline(always)]
     pub(crate) fn add_block<const N: usize>(&mut self, first: usize, block: &[[f64; N]; N]) {
         for (b, column) in self.columns[first..first + N].iter_mut().enumerate() {
             for (own, row) in column.iter_mut().zip(&block[b..]) {
@@ -49,6 +51,7 @@ impl Band {
     }
 
     /// Makes unknown `i` known: its row and column become those of the unit matrix.
+    #[inline(always)]
     pub(crate) fn fix(&mut self, i: usize) {
         for (away, column) in self.columns[i.saturating_sub(HALF)..i].iter_mut().rev().enumerate() {
             column[away + 1] = 0.0;
@@ -58,6 +61,7 @@ impl Band {
     }
 
     /// Factors in place and solves for `x` in place; false where a pivot is zero or not finite. The matrix is used up.
+    #[inline(always)]
     pub(crate) fn solve(&mut self, x: &mut [f64]) -> bool {
         for i in 0..self.size {
             // Columns of zeros follow the last one.
@@ -80,6 +84,7 @@ impl Band {
         x.iter().all(|v| v.is_finite())
     }
 
+    #[inline(always)]
     fn substitute(&self, x: &mut [f64]) {
         for i in 0..self.size {
             let own = x[i];

@@ -76,6 +76,7 @@ struct Sums {
 
 impl Sums {
     /// Adds them to forces and to the lower half of the tangent, which is all that is read.
+    #[inline(always)]
     fn assemble(&self, answer: &mut Answer, stretch: &[f64; SIZE], bend: &[[f64; 4]; 4]) {
         let Sums { n, ee, .. } = *self;
         for a in 0..SIZE {
@@ -120,10 +121,12 @@ fn rise(h: f64) -> [[f64; 4]; 4] {
 }
 
 /// A row over all unknowns.
+#[inline(always)]
 fn wide(row: &[f64; 4]) -> [f64; SIZE] {
     [0.0, row[0], row[1], 0.0, row[2], row[3]]
 }
 
+#[inline(always)]
 fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -138,6 +141,7 @@ fn add(answer: &mut Answer, weight: f64, row: &[f64; SIZE], force: f64, other: &
 }
 
 impl Element<'_> {
+    #[inline(always)]
     fn weight(&self, x: f64) -> (f64, f64) {
         match self.round {
             None => (1.0, f64::INFINITY),
@@ -146,6 +150,7 @@ impl Element<'_> {
     }
 
     /// Response to the displacements `q`; `old` and `new` are the plastic strains of its three sections, and which of them have yielded.
+    #[inline(always)]
     pub(crate) fn respond(&self, q: &[f64; SIZE], old: (&[f64], &[bool]), new: (&mut [f64], &mut [bool])) -> Answer {
         let h = self.cubics.length;
         let bent = BENT.map(|i| q[i]);

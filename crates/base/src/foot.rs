@@ -32,12 +32,24 @@ const SHORTEST: f64 = 1e-3;
 
 /// Places side by side.
 pub(crate) const LANES: usize = 4;
+/// Pairs of orders 0 and 1, 2 and 3, … of cos nφ: those whose sums with the slopes make up their products, and those whose sums with the pulls are forces.
+const SLOPES: usize = UNKNOWNS + 1;
+const PULLS: usize = UNKNOWNS / 2 + 1;
+
+/// A value for every even order and the odd one after it.
+type Pairs<T, const N: usize> = [[T; 2]; N];
+
+/// Order of the wave of an unknown: the centre, then n = 2, 3, …
+fn order(unknown: usize) -> usize {
+    if unknown == 0 { 0 } else { unknown + 1 }
+}
 
 /// Pull of strips around on the wall [N/m] and its slope [N/m²] by the uplift [m] and the cosine of the angle from the lifted side.
 pub(crate) trait Strips {
     fn pull(&self, uplift: f64, cos: f64) -> [f64; 2];
 
     /// Pulls and slopes at the places of a block.
+    #[inline(always)]
     fn pulls(&self, _block: usize, uplifts: [f64; LANES], cosines: [f64; LANES]) -> [[f64; LANES]; 2] {
         let mut pulls = [[0.0; LANES]; 2];
         for i in 0..LANES {
@@ -48,13 +60,14 @@ pub(crate) trait Strips {
 }
 
 impl<F: Fn(f64, f64) -> [f64; 2]> Strips for F {
+    #[inline(always)]
     fn pull(&self, uplift: f64, cos: f64) -> [f64; 2] {
         self(uplift, cos)
     }
 }
 
 /// A foot that warps, for any law of its rim.
-pub(crate) struct Foot<'a> {
+pub(crate) struct Foot<'a, S> {
     /// Radius R [m].
     pub(crate) radius: f64,
     /// Weight w_t of wall and roof [N/m].
@@ -63,34 +76,49 @@ pub(crate) struct Foot<'a> {
     pub(crate) wall: Wall,
     /// Places around at which the law is asked.
     pub(crate) places: Rc<[Block]>,
-    pub(crate) strips: &'a dyn Strips,
+    pub(crate) strips: &'a S,
 }
 
-/// Places around, from the lifted side to the toe.
+/// Places φ on the lifted half of the rim, each with its mirror π − φ, where waves of an odd order change their sign.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
-    /// Cosines of their angles.
-    cos: [f64; LANES],
     /// Angles that they stand for [rad].
     width: [f64; LANES],
-    /// 1, cos 2φ, cos 3φ, …
-    forms: [[f64; LANES]; UNKNOWNS],
+    /// cos nφ.
+    forms: Pairs<[f64; LANES], SLOPES>,
 }
 
 impl Block {
-    /// Uplifts [m] at centre and waves, turned by ψ R [m].
-    #[inline]
-    fn uplifts(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> [f64; LANES] {
-        let mut uplifts = [0.0; LANES];
-        for lane in 0..LANES {
-            uplifts[lane] = reach * self.cos[lane];
-        }
-        for (form, own) in self.forms.iter().zip(unknowns) {
-            for lane in 0..LANES {
-                uplifts[lane] += own * form[lane];
+    /// Uplifts [m] of the places and of their mirrors from those of each order.
+    #[inline(always)]
+    fn uplifts(&self, orders: &Pairs<f64, PULLS>) -> [[f64; LANES]; 2] {
+        let mut parts = [[0.0; LANES]; 2];
+        for (own, form) in orders.iter().zip(&self.forms) {
+            for odd in 0..2 {
+                for lane in 0..LANES {
+                    parts[odd][lane] += own[odd] * form[odd][lane];
+                }
             }
         }
-        uplifts
+        let [even, odd] = parts;
+        [std::array::from_fn(|lane| even[lane] + odd[lane]), std::array::from_fn(|lane| even[lane] - odd[lane])]
+    }
+
+    /// Adds values at the places and at their mirrors, times cos nφ.
+    #[inline(always)]
+    fn add<const N: usize>(&self, sums: &mut Pairs<[f64; LANES], N>, [here, there]: [[f64; LANES]; 2]) {
+        let mut parts = [[0.0; LANES]; 2];
+        for lane in 0..LANES {
+            parts[0][lane] = self.width[lane] * (here[lane] + there[lane]);
+            parts[1][lane] = self.width[lane] * (here[lane] - there[lane]);
+        }
+        for (sums, form) in sums.iter_mut().zip(&self.forms) {
+            for odd in 0..2 {
+                for lane in 0..LANES {
+                    sums[odd][lane] += parts[odd][lane] * form[odd][lane];
+                }
+            }
+        }
     }
 }
 
@@ -99,7 +127,7 @@ thread_local! {
     static PLACES: RefCell<BTreeMap<usize, Rc<[Block]>>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// The Gauss points of panels from the lifted side to the toe, three in each; the number of panels is a multiple of [`LANES`].
+/// The Gauss points of panels from the lifted side to the toe, three in each; the number of panels is a multiple of twice [`LANES`].
 pub(crate) fn places(panels: usize) -> Rc<[Block]> {
     let step = PI / panels as f64;
     let block = |block: usize| {
@@ -108,19 +136,18 @@ pub(crate) fn places(panels: usize) -> Rc<[Block]> {
             let (x, weight) = GAUSS[place % GAUSS.len()];
             (((place / GAUSS.len()) as f64 + x) * step, weight * step)
         });
-        let form = |n: usize| at.map(|(angle, _)| (n as f64 * angle).cos());
         Block {
-            cos: form(1),
             width: at.map(|(_, width)| width),
-            forms: std::array::from_fn(|i| form(if i == 0 { 0 } else { i + 1 })),
+            forms: std::array::from_fn(|pair| {
+                [0, 1].map(|odd| at.map(|(angle, _)| ((2 * pair + odd) as f64 * angle).cos()))
+            }),
         }
     };
-    let made = || (0..panels * GAUSS.len() / LANES).map(block).collect();
+    let made = || (0..panels * GAUSS.len() / (2 * LANES)).map(block).collect();
     PLACES.with_borrow_mut(|kept| Rc::clone(kept.entry(panels).or_insert_with(made)))
 }
 
 /// Sums over half of the circumference, over R.
-#[derive(Default)]
 struct Sums {
     /// Forces on the unknowns [N/m].
     force: [f64; UNKNOWNS],
@@ -133,23 +160,7 @@ struct Sums {
     turned: f64,
 }
 
-impl Sums {
-    /// A place with its pull and slope.
-    fn add(&mut self, force: f64, slope: f64, cos: f64, forms: [f64; UNKNOWNS]) {
-        self.moment += force * cos;
-        self.turned += slope * cos * cos;
-        for i in 0..UNKNOWNS {
-            self.force[i] += force * forms[i];
-            let own = slope * forms[i];
-            self.turning[i] += own * cos;
-            for (to, form) in self.slope[i].iter_mut().zip(forms) {
-                *to += own * form;
-            }
-        }
-    }
-}
-
-impl Foot<'_> {
+impl<S: Strips> Foot<'_, S> {
     /// The base at a rotation ψ [rad], starting from a turn close to it.
     ///
     /// Errors: the rim leaves the range of uplifts of the law [m]; no equilibrium.
@@ -289,38 +300,76 @@ impl Foot<'_> {
 
     /// Forces on the unknowns, and the moment, as those of [`Foot::sums`].
     fn forces(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> ([f64; UNKNOWNS], f64) {
-        let (mut forces, mut moments) = ([[0.0; LANES]; UNKNOWNS], [0.0; LANES]);
-        for (block, place) in self.places.iter().enumerate() {
-            let [pulls, _] = self.strips.pulls(block, place.uplifts(unknowns, reach), place.cos);
-            let mut own = [0.0; LANES];
-            for lane in 0..LANES {
-                own[lane] = place.width[lane] * pulls[lane];
-                moments[lane] += own[lane] * place.cos[lane];
-            }
-            for (sums, form) in forces.iter_mut().zip(&place.forms) {
-                for lane in 0..LANES {
-                    sums[lane] += own[lane] * form[lane];
-                }
-            }
-        }
-        let total = |lanes: [f64; LANES]| (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-        let given = self.given(unknowns);
-        (std::array::from_fn(|i| given[i] + total(forces[i])), total(moments))
+        let [pulls] = self.around::<1, PULLS>(unknowns, reach);
+        (self.forced(unknowns, pulls.as_flattened()), pulls[0][1])
     }
 
+    fn forced(&self, unknowns: &[f64; UNKNOWNS], pulls: &[f64]) -> [f64; UNKNOWNS] {
+        let given = self.given(unknowns);
+        std::array::from_fn(|i| given[i] + pulls[order(i)])
+    }
+
+    /// With cos nφ cos mφ = ½ [cos (n + m)φ + cos (n − m)φ].
     fn sums(&self, unknowns: &[f64; UNKNOWNS], reach: f64) -> Sums {
-        let mut sums = Sums { force: self.given(unknowns), ..Sums::default() };
-        for (to, row) in sums.slope[1..].iter_mut().zip(&self.wall.stiffness) {
-            to[1..].iter_mut().zip(row).for_each(|(to, own)| *to = 0.5 * PI * own);
+        let [pulls, slopes] = self.around::<2, SLOPES>(unknowns, reach);
+        let slopes = slopes.as_flattened();
+        let both = |n: usize, m: usize| 0.5 * (slopes[n + m] + slopes[n.abs_diff(m)]);
+        let mut slope: [[f64; UNKNOWNS]; UNKNOWNS] =
+            std::array::from_fn(|i| std::array::from_fn(|j| both(order(i), order(j))));
+        for (to, row) in slope[1..].iter_mut().zip(&self.wall.stiffness) {
+            to[1..].iter_mut().zip(row).for_each(|(to, own)| *to += 0.5 * PI * own);
         }
-        for (block, place) in self.places.iter().enumerate() {
-            let pulls = self.strips.pulls(block, place.uplifts(unknowns, reach), place.cos);
-            for lane in 0..LANES {
-                let [force, slope] = [0, 1].map(|i| place.width[lane] * pulls[i][lane]);
-                sums.add(force, slope, place.cos[lane], place.forms.map(|form| form[lane]));
+        Sums {
+            force: self.forced(unknowns, pulls.as_flattened()),
+            slope,
+            turning: std::array::from_fn(|i| both(order(i), 1)),
+            moment: pulls[0][1],
+            turned: both(1, 1),
+        }
+    }
+
+    /// ∫ F cos nφ dφ of the strips, and the same of their slopes where `KINDS` is 2, in the widest registers there are.
+    fn around<const KINDS: usize, const N: usize>(
+        &self,
+        unknowns: &[f64; UNKNOWNS],
+        reach: f64,
+    ) -> [Pairs<f64, N>; KINDS] {
+        let mut orders = [[0.0; 2]; PULLS];
+        orders[0][1] = reach;
+        for (i, own) in unknowns.iter().enumerate() {
+            orders.as_flattened_mut()[order(i)] = *own;
+        }
+        pulp::Arch::new().dispatch(Around::<S, KINDS, N> { foot: self, orders })
+    }
+}
+
+/// Sums around a foot whose uplift has these orders.
+struct Around<'a, S, const KINDS: usize, const N: usize> {
+    foot: &'a Foot<'a, S>,
+    orders: Pairs<f64, PULLS>,
+}
+
+impl<S: Strips, const KINDS: usize, const N: usize> pulp::WithSimd for Around<'_, S, KINDS, N> {
+    type Output = [Pairs<f64, N>; KINDS];
+
+    #[inline(always)]
+    fn with_simd<A: pulp::Simd>(self, _: A) -> [Pairs<f64, N>; KINDS] {
+        let mut sums = [[[[0.0; LANES]; 2]; N]; KINDS];
+        for (number, block) in self.foot.places.iter().enumerate() {
+            let [here, there] = block.uplifts(&self.orders);
+            let cos = block.forms[0][1];
+            let here = self.foot.strips.pulls(2 * number, here, cos);
+            let there = self.foot.strips.pulls(2 * number + 1, there, cos.map(|c| -c));
+            for (kind, sums) in sums.iter_mut().enumerate() {
+                block.add(sums, [here[kind], there[kind]]);
             }
         }
-        sums
+        let mut totals = [[[0.0; 2]; N]; KINDS];
+        let lanes = sums.as_flattened().as_flattened();
+        totals.as_flattened_mut().as_flattened_mut().iter_mut().zip(lanes).for_each(|(total, lanes)| {
+            *total = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+        });
+        totals
     }
 }
 

@@ -96,6 +96,21 @@ enum Given {
     Uplift(f64),
 }
 
+/// A step of a state.
+struct Step<'a, 'b> {
+    state: &'a mut Lifted<'b>,
+    given: Given,
+}
+
+impl pulp::WithSimd for Step<'_, '_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> bool {
+        self.state.stepped(self.given)
+    }
+}
+
 #[derive(Clone, Debug)]
 struct System {
     residual: Vec<f64>,
@@ -127,7 +142,7 @@ impl<'a> Lifted<'a> {
         let mut share = 0.0;
         while share < 1.0 {
             let next = f64::min(share + step, 1.0);
-            if state.step(Given::Force(-weight * next, next))? {
+            if state.step(Given::Force(-weight * next, next)) {
                 share = next;
                 continue;
             }
@@ -162,7 +177,7 @@ impl<'a> Lifted<'a> {
         while self.uplift() != uplift {
             let rest = uplift - self.uplift();
             let target = if rest.abs() <= step.abs() * (1.0 + 1e-9) { uplift } else { self.uplift() + step };
-            if self.step(Given::Uplift(target))? {
+            if self.step(Given::Uplift(target)) {
                 continue;
             }
             step /= 2.0;
@@ -173,8 +188,13 @@ impl<'a> Lifted<'a> {
         Ok(())
     }
 
-    /// One step; false, and nothing changed, where it does not converge.
-    fn step(&mut self, given: Given) -> Result<bool, BaseError> {
+    /// One step, in the widest registers there are; false, and nothing changed, where it does not converge.
+    fn step(&mut self, given: Given) -> bool {
+        pulp::Arch::new().dispatch(Step { state: self, given })
+    }
+
+    #[inline(always)]
+    fn stepped(&mut self, given: Given) -> bool {
         let (n, rim) = (self.x.len(), self.strip.rim_at());
         let mut x = self.x.clone();
         let mut dx = vec![0.0; n];
@@ -188,7 +208,7 @@ impl<'a> Lifted<'a> {
             }
             self.solve(&mut system.tangent, &mut dx, Some(change));
             if !dx.iter().all(|v| v.is_finite()) {
-                return Ok(false);
+                return false;
             }
             x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
         }
@@ -198,7 +218,7 @@ impl<'a> Lifted<'a> {
             dx.iter_mut().zip(&system.residual).for_each(|(d, r)| *d = -r);
             let solved = self.solve(&mut system.tangent, &mut dx, matches!(given, Given::Uplift(_)).then_some(0.0));
             if !solved {
-                return Ok(false);
+                return false;
             }
             // Displacements and rotations times the plate's thickness are lengths: settled to a thousandth of a micrometre.
             let t = self.strip.bands.rim().thickness;
@@ -208,7 +228,7 @@ impl<'a> Lifted<'a> {
             before = largest;
             let too_long = matches!(given, Given::Uplift(_)) && growing == DIVERGES;
             if !largest.is_finite() || largest > FARTHEST || too_long {
-                return Ok(false);
+                return false;
             }
             x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
             if largest < 1e-9 {
@@ -220,12 +240,13 @@ impl<'a> Lifted<'a> {
                 std::mem::swap(&mut self.plastic, &mut system.plastic);
                 // The system is kept for the whole pressure alone: the next step may have another share.
                 self.system = matches!(given, Given::Uplift(_)).then_some(system);
-                return Ok(true);
+                return true;
             }
         }
-        Ok(false)
+        false
     }
 
+    #[inline(always)]
     fn solve(&self, tangent: &mut Band, dx: &mut [f64], rim: Option<f64>) -> bool {
         let at = self.strip.rim_at();
         let turned = (self.strip.rim == Rim::Clamped).then_some((at + 2, 0.0));
@@ -245,6 +266,7 @@ impl<'a> Lifted<'a> {
     }
 
     /// Forces and tangent at `x`, in the place of those of another state.
+    #[inline(always)]
     fn assemble(&self, x: &[f64], given: Given, system: &mut System) {
         let (strip, rim) = (self.strip, self.strip.rim_at());
         let share = match given {

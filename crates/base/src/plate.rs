@@ -72,6 +72,7 @@ impl Plate {
 
     /// Forces and tangents of a section with strain `e` and curvature `k`; `old` are the plastic strains of its fibres, `new` receives
     /// those of this state. With either stands whether one of them is not zero: most sections never yield, and their fibres are not looked at.
+    #[inline(always)]
     pub(crate) fn respond(&self, e: f64, k: f64, old: (&[f64], bool), new: (&mut [f64], &mut bool)) -> Section {
         let (modulus, t) = (self.plane_modulus(), self.thickness);
         let elastic = Section {

@@ -242,7 +242,7 @@ impl Rocking {
         self.foot((warping, suction), WARPED, &hold).at(rotation, &start, self.range())
     }
 
-    fn foot<'a>(&self, (warping, suction): (&'a Warping, f64), panels: usize, strips: &'a dyn Strips) -> Foot<'a> {
+    fn foot<'a, S: Strips>(&self, (warping, suction): (&Warping, f64), panels: usize, strips: &'a S) -> Foot<'a, S> {
         let wall = warping.under(suction);
         Foot { radius: self.radius, weight: self.weight, wall, places: places(panels), strips }
     }

@@ -53,7 +53,7 @@ pub(crate) struct Ovals {
     before: ([f64; UNKNOWNS], f64),
     answered: Cell<Option<((f64, f64), Response)>>,
     places: Rc<[Block]>,
-    /// Intervals of the table close to the places of each block.
+    /// Intervals of the table close to the places of each block, then to their mirrors.
     near: Rc<[Cell<[usize; LANES]>]>,
 }
 
@@ -94,7 +94,7 @@ impl Waves {
             before: foot.place(),
             foot: RefCell::new(foot),
             answered: Cell::new(None),
-            near: places.iter().map(|_| Cell::default()).collect(),
+            near: (0..2 * places.len()).map(|_| Cell::default()).collect(),
             places,
         }
     }
@@ -221,10 +221,12 @@ struct Under<'a> {
 }
 
 impl Strips for Under<'_> {
+    #[inline(always)]
     fn pull(&self, uplift: f64, cos: f64) -> [f64; 2] {
         self.table.pull(&mut 0, uplift, self.suction * cos)
     }
 
+    #[inline(always)]
     fn pulls(&self, block: usize, uplifts: [f64; LANES], cosines: [f64; LANES]) -> [[f64; LANES]; 2] {
         let mut near = self.near[block].get();
         let mut pulls = [[0.0; LANES]; 2];
