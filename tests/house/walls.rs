@@ -19,7 +19,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fem", &["fourier", "linalg", "materials", "oscillator"]),
     ("codes", &["base", "oscillator", "soil", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
-    ("engines", &["base", "fem", "linalg", "materials", "oscillator", "results", "soil", "tank"]),
+    ("engines", &["base", "fem", "fourier", "linalg", "materials", "oscillator", "results", "soil", "tank"]),
     ("report", &["files", "results", "tank"]),
     (
         "verification",

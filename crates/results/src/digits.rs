@@ -7,6 +7,8 @@ const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
+/// log₁₀ 2 · 2²⁰: near enough that the whole part of its product with any exponent is right.
+const LOG_2: i32 = 315_653;
 /// Largest distance from a half that is not decided: products of two doubles below 10¹² are wrong by 6·10⁻⁵ at most.
 const UNDECIDED: f64 = 1e-3;
 
@@ -24,7 +26,7 @@ fn decimal(x: f64, digits: usize) -> Option<(u64, i32)> {
     let (low, high) = (POWERS[digits - 1], POWERS[digits]);
     // log₁₀ of the power of two below x: e, or one less.
     let binary = (x.to_bits() >> 52) as i32 - 1023;
-    let mut e = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
+    let mut e = (binary * LOG_2) >> 20;
     let mut m = shifted(x, last - e)?;
     if m >= high {
         e += 1;

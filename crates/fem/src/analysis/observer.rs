@@ -12,6 +12,8 @@
 //! through values and slopes at both ends of a step, where the analysis provides slopes: with 20 steps a period its error
 //! is (2π/20)⁴/384 = 2.5e-5 of the amplitude, while the samples alone may miss 1 − cos(π/20) = 1.2 %.
 
+use std::collections::BTreeMap;
+
 use super::motion::Grid;
 
 /// A stretch of the state: `rows` states at `len` consecutive instants, the first of which is the last of the chunk
@@ -112,26 +114,6 @@ impl Row {
         pulp::Arch::new().dispatch(Evaluate { row: self, chunk, out });
     }
 
-    /// Bounds of y in the chunk.
-    fn bounds(&self, chunk: &Chunk) -> (f64, f64) {
-        // Sums beside each other: an addition waits for the one before.
-        let mut sums = [[0.0; 2]; LANES];
-        let mut add = |lane: usize, &(k, c): &(usize, f64)| {
-            let [middle, half] = chunk.ranges[k];
-            sums[lane][0] += c * middle;
-            sums[lane][1] += c.abs() * half;
-        };
-        let (whole, rest) = self.value.as_chunks::<LANES>();
-        for terms in whole {
-            for lane in 0..LANES {
-                add(lane, &terms[lane]);
-            }
-        }
-        rest.iter().for_each(|term| add(0, term));
-        let [middle, half] = [0, 1].map(|i| sums.iter().map(|sum| sum[i]).sum::<f64>());
-        (middle - half, middle + half)
-    }
-
     /// Slopes h ẏ at both ends of the step from instant `k` to `k` + 1, times the step h.
     fn slopes(slope: &Slope, chunk: &Chunk, k: usize, h: f64) -> (f64, f64) {
         let at = |k: usize| slope.states.iter().map(|&(s, c)| c * chunk.state(s)[k]).sum::<f64>() * h;
@@ -140,8 +122,49 @@ impl Row {
     }
 }
 
-/// Sums of bounds beside each other.
+/// States, and rows whose bounds are summed, beside each other.
 const LANES: usize = 4;
+
+/// Coefficients of neighbouring rows by state, for the bounds of all of them at once.
+#[derive(Clone, Debug)]
+struct Neighbours(Vec<(usize, [f64; LANES])>);
+
+impl Neighbours {
+    /// At most [`LANES`] rows.
+    fn of(rows: &[Row]) -> Neighbours {
+        let mut terms: BTreeMap<usize, [f64; LANES]> = BTreeMap::new();
+        for (lane, row) in rows.iter().enumerate() {
+            for &(state, c) in &row.value {
+                terms.entry(state).or_default()[lane] += c;
+            }
+        }
+        Neighbours(terms.into_iter().collect())
+    }
+}
+
+/// Lower and upper bounds of neighbouring rows in a chunk.
+struct Bounds<'a> {
+    rows: &'a Neighbours,
+    chunk: &'a Chunk,
+}
+
+impl pulp::WithSimd for Bounds<'_> {
+    type Output = [[f64; LANES]; 2];
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> [[f64; LANES]; 2] {
+        let [mut low, mut high] = [[0.0; LANES]; 2];
+        for &(state, ref coefficients) in &self.rows.0 {
+            let [middle, half] = self.chunk.ranges[state];
+            for lane in 0..LANES {
+                let (at, away) = (coefficients[lane] * middle, coefficients[lane].abs() * half);
+                low[lane] += at - away;
+                high[lane] += at + away;
+            }
+        }
+        [low, high]
+    }
+}
 
 /// Registers of instants of a sum: a chunk but its last instant on machines with four in each.
 const REGISTERS: usize = 8;
@@ -251,6 +274,7 @@ pub struct Observed {
 pub struct Observer<'a> {
     scalars: &'a [Row],
     others: &'a [Row],
+    neighbours: Vec<Neighbours>,
     grid: Grid,
     buffer: Vec<f64>,
     observed: Observed,
@@ -263,6 +287,7 @@ impl<'a> Observer<'a> {
         Observer {
             scalars,
             others,
+            neighbours: others.chunks(LANES).map(Neighbours::of).collect(),
             grid,
             buffer: vec![0.0; Chunk::STRIDE],
             observed: Observed {
@@ -282,11 +307,15 @@ impl<'a> Observer<'a> {
             history.values.extend(samples.clone().step_by(sub).map(|k| y[k]));
             widen(row, chunk, y, &self.grid, &mut history.extreme);
         }
-        for (row, extreme) in self.others.iter().zip(&mut self.observed.extremes) {
-            let (low, high) = row.bounds(chunk);
-            if low < extreme.min || high > extreme.max {
-                row.evaluate(chunk, y);
-                widen(row, chunk, y, &self.grid, extreme);
+        let arch = pulp::Arch::new();
+        let groups = self.others.chunks(LANES).zip(self.observed.extremes.chunks_mut(LANES));
+        for ((rows, extremes), neighbours) in groups.zip(&self.neighbours) {
+            let [low, high] = arch.dispatch(Bounds { rows: neighbours, chunk });
+            for (lane, (row, extreme)) in rows.iter().zip(extremes).enumerate() {
+                if low[lane] < extreme.min || high[lane] > extreme.max {
+                    row.evaluate(chunk, y);
+                    widen(row, chunk, y, &self.grid, extreme);
+                }
             }
         }
     }
@@ -433,8 +462,9 @@ mod tests {
             row.evaluate(&chunk, &mut found);
             assert!((0..len).all(|i| found[i] == (15 * i + 55) as f64), "{found:?}");
             chunk.close();
-            let (low, high) = row.bounds(&chunk);
-            assert!(low <= found[0] && found[len - 1] <= high);
+            let rows = Neighbours::of(std::slice::from_ref(&row));
+            let [low, high] = pulp::Arch::new().dispatch(Bounds { rows: &rows, chunk: &chunk });
+            assert!(low[0] <= found[0] && found[len - 1] <= high[0]);
         }
     }
 

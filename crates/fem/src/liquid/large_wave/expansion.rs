@@ -55,6 +55,23 @@ struct Fields {
     second: [[f64; LANES]; 2],
 }
 
+/// An expansion in the widest registers there are. The body of a closure is not compiled for them.
+struct Expand<'a> {
+    liquid: &'a Liquid,
+    state: (&'a [f64], &'a [f64]),
+    work: &'a mut Work,
+    rates: (&'a mut [f64], &'a mut [f64]),
+}
+
+impl pulp::WithSimd for Expand<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.liquid.expand(self.state, self.work, self.rates);
+    }
+}
+
 impl Liquid {
     /// Liquid on the modes of a tank. The order is limited to 1 to 3.
     pub fn new(basis: Basis, own: Properties) -> Liquid {
@@ -104,10 +121,8 @@ impl Liquid {
         work: &mut Work,
         (elevation_rate, potential_rate): (&mut [f64], &mut [f64]),
     ) {
-        pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || self.expand((elevation, potential), work, (&mut *elevation_rate, &mut *potential_rate)),
-        );
+        let rates = (&mut *elevation_rate, &mut *potential_rate);
+        pulp::Arch::new().dispatch(Expand { liquid: self, state: (elevation, potential), work, rates });
         let Properties { gravity, damping, .. } = self.own;
         for j in 0..elevation.len() {
             potential_rate[j] -= (gravity + motion.vertical) * elevation[j]

@@ -142,9 +142,11 @@ impl Liquid {
     /// Resultants at each instant.
     pub fn forces<'a>(&self, frames: impl Iterator<Item = Frame<'a>>) -> Vec<Forces> {
         let wall = self.wall();
-        frames.map(|frame| self.resultants(&wall, &frame)).collect()
+        let arch = pulp::Arch::new();
+        frames.map(|frame| arch.dispatch(Resultants { liquid: self, wall: &wall, frame: &frame })).collect()
     }
 
+    #[inline(always)]
     fn resultants(&self, wall: &Wall, frame: &Frame) -> Forces {
         let own = self.own;
         let n = self.tanh.len();
@@ -209,6 +211,7 @@ impl Liquid {
     }
 
     /// Moment of the pressures on the floor [N m].
+    #[inline(always)]
     fn bottom(&self, wall: &Wall, frame: &Frame) -> [f64; 2] {
         let basis = &self.basis;
         let n = self.tanh.len();
@@ -245,6 +248,22 @@ impl Liquid {
             out[1] = 0.0;
         }
         out
+    }
+}
+
+/// Resultants of an instant, in the widest registers there are.
+struct Resultants<'a> {
+    liquid: &'a Liquid,
+    wall: &'a Wall,
+    frame: &'a Frame<'a>,
+}
+
+impl pulp::WithSimd for Resultants<'_> {
+    type Output = Forces;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Forces {
+        self.liquid.resultants(self.wall, self.frame)
     }
 }
 
