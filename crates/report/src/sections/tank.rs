@@ -92,6 +92,9 @@ pub(crate) fn of(summary: &TankSummary, full: bool) -> Section {
         fact(words::FLOATING_ROOF, tank.roof.afloat, Dimension::Mass);
     }
     fact("Freeboard", tank.wall_height() - summary.liquid.fill_height - tank.roof.rim, Dimension::Length);
+    if let Some(parameter) = &summary.deformability {
+        fact(words::DEFORMABILITY, parameter.corrected, Dimension::Dimensionless);
+    }
     fact(words::GRAVITY, summary.gravity, Dimension::Acceleration);
     if let Some(bottom) = &tank.bottom {
         fact(words::BOTTOM_PLATE, bottom.thickness, Dimension::Length);

@@ -90,6 +90,8 @@ pub mod tank {
     pub const BOTTOM_PLATE: &str = "Thickness of the bottom plate under the shell";
     /// Anchors.
     pub const ANCHORS: &str = "Number of anchors";
+    /// Deformability parameter.
+    pub const DEFORMABILITY: &str = "Deformability √(H/s) of the filled wall, s of its lowest course";
     /// Anchors.
     pub const ANCHOR_CAPACITY: &str = "Capacity of one anchor";
     /// Table of masses and heights.
