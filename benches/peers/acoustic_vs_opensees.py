@@ -1,6 +1,5 @@
 """Time step of a potential liquid in a shell wall against OpenSees' acoustic elements.
 
-    cargo build --release -p fem --example potential_transient
     python3 benches/peers/acoustic_vs_opensees.py [RINGS SECTORS LEVELS]        (default 12 16 20)
 
 Needs openseespy (PyPI). Model: steel cylinder R = H = 10 m, t = 20 mm, clamped, full of water; radial forces
@@ -30,7 +29,8 @@ for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYO
     os.environ[name] = "1"
 
 RADIUS, HEIGHT, THICKNESS, STEP, FORCE, RAMP = 10.0, 10.0, 0.02, 2e-3, 1e3, 0.1
-OURS = pathlib.Path(__file__).parents[2] / "target/release/examples/potential_transient"
+ROOT = pathlib.Path(__file__).parents[2]
+OURS = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release/examples/potential_transient"
 
 
 def opensees(rings, sectors, levels, steps, wet):
@@ -133,6 +133,7 @@ def per_step(command, few, many):
 
 
 def main():
+    subprocess.run(["cargo", "build", "--release", "--quiet", "-p", "fem", "--example", "potential_transient"], cwd=ROOT, check=True)
     if sys.argv[1:2] == ["--opensees"]:
         counts = [int(a) for a in sys.argv[2:6]]
         print(json.dumps(opensees(*counts, wet=sys.argv[6] == "wet")[:20]))

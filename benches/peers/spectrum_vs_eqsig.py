@@ -3,13 +3,12 @@
 
 Usage: benches/peers/spectrum_vs_eqsig.py [RECORD.csv]      (default: examples/records/elcentro.csv)
 
-Makes a virtual environment in a temporary folder, installs eqsig, builds tankcheck in release, and prints the median
-time of both, alternating. tankcheck is timed as the difference of two whole commands (41 and 1 damping ratios), so that
+Builds tankcheck in release, and prints the median time of both, alternating; `benches/peers/run --peers` installs eqsig. tankcheck is timed as the difference of two whole commands (41 and 1 damping ratios), so that
 start, reading and printing do not count; eqsig is timed inside Python. The values are compared where eqsig's sampling
 at the record's points can be compared with the maxima of the continuous response: T >= 200 dt, where sampling misses
 at most (2 pi/200)^2/8 = 0.012 %.
 """
-import json, os, statistics, subprocess, sys, tempfile, venv
+import json, os, statistics, subprocess, sys
 
 root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 record = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(root, "examples/records/elcentro.csv"))
@@ -37,17 +36,14 @@ def product(count):
     return time.perf_counter() - start, out
 
 
-with tempfile.TemporaryDirectory() as folder:
-    venv.create(folder, with_pip=True)
-    python = os.path.join(folder, "bin", "python")
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "eqsig", "numpy"], check=True)
-    ours, theirs = [], []
-    for _ in range(9):
-        many, _ = product(41)
-        one, text = product(1)
-        ours.append((many - one) / 40)
-        result = json.loads(subprocess.run([python, "-c", peer, record], check=True, capture_output=True, text=True).stdout)
-        theirs.append(result["seconds"])
+ours, theirs = [], []
+for _ in range(9):
+    many, _ = product(41)
+    one, text = product(1)
+    ours.append((many - one) / 40)
+    run = subprocess.run([sys.executable, "-c", peer, record], check=True, capture_output=True, text=True)
+    result = json.loads(run.stdout)
+    theirs.append(result["seconds"])
 rows = [list(map(float, line.split(","))) for line in text.splitlines()[1:]]
 compared = [(row[1], row[2], sd) for row, sd in zip(rows, result["sd"]) if row[1] >= 200 * result["dt"]]
 worst = max(abs(sd / mine - 1) for _, mine, sd in compared)
