@@ -27,7 +27,7 @@ pub struct Probe {
     pub static_value: f64,
     /// Which modes count.
     pub modes: ModeSelection,
-    /// Unknowns that every mode moves, whatever `modes` says, with their coefficients: the rim of a wall that moves up and down.
+    /// Unknowns that move with every mode, also those that `modes` leaves out, with their coefficients: the rim of a wall that moves up and down.
     pub rim: Vec<(usize, f64)>,
     /// Where around the tank it is, of an internal force.
     pub turn: Option<Turn>,

@@ -2,7 +2,7 @@
 //!
 //! A row is of the dissertation if its reference is a printed number ([`Reference::Dissertation`](crate::Reference)), or if it has such a number
 //! beside another reference and says why ([`Row::printed`](crate::Row::printed)). Such a row can fail: where no reference judges our number, the printed one
-//! is listed on the page, with the reason, and is no row. Rows stay on the pages of their models; this page has those of the code procedures, and
+//! is listed on the page, with the reason, and does not count as a row. Rows stay on the pages of their models; this page has those of the code procedures, and
 //! lists all. `verification dissertation` runs them all.
 
 mod analytic;

@@ -260,7 +260,7 @@ mod tests {
         assert_eq!(without_tension(e, 1e-6, 0.0, 1e-3), (e * 1e-9, e * 1e-6));
     }
 
-    /// Pure shear γ across the layer gives τ = G γ, whatever the normal; shear and stretch in its plane give no stress.
+    /// Pure shear γ across the layer gives τ = G γ for any normal; shear and stretch in its plane give no stress.
     #[test]
     fn core_carries_shear_across() {
         let law = Law::Core { e_normal: 7.0, shear_modulus: 3.0, e_parallel: 0.0 };
@@ -280,7 +280,7 @@ mod tests {
         assert!((tensor(stress) - n * n.transpose() * 7.0).norm() < 1e-14);
     }
 
-    /// E_n = E_p = 2 G is the isotropic law with ν = 0, whatever the normal; stretch in the plane alone gives E_p.
+    /// E_n = E_p = 2 G is the isotropic law with ν = 0 for any normal; stretch in the plane alone gives E_p.
     #[test]
     fn equal_moduli_are_isotropic() {
         let n = Vector3::new(1.0, 2.0, 2.0) / 3.0;

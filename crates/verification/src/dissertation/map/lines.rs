@@ -64,7 +64,7 @@ const DYNAMICS: &[Line] = &[
     ),
     line(
         "deformability parameter K (3.1)",
-        "section *datasheet* of the full report (`--report full`): as printed and corrected",
+        "corrected, √(H/s), in every report of a cylinder; also as printed with `--report full`",
         &[Test("-p codes deformability")],
     ),
     line(
