@@ -34,6 +34,7 @@
 //! `docs/theory/shell-element.md`. Thickness change is not represented.
 
 mod inspect;
+mod lanes;
 mod mixed;
 pub(super) mod rows;
 mod strain;
@@ -43,6 +44,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+use lanes::{Forces, Four, Fours, Strains};
 use rows::{add_material, put};
 use strain::Stressed;
 use turn::Turn;
@@ -123,6 +125,8 @@ pub struct Shell4 {
     section: Arc<dyn Section>,
     points: [Point; 4],
     centre: Point,
+    /// The points side by side.
+    fours: Fours,
     membrane_shear: MembraneShear,
     mass: MassKind,
     axes: Axes,
@@ -153,6 +157,7 @@ impl Shell4 {
             require(good, "shell4", "director", found, "a unit vector within 90 degrees of the normal")?;
         }
         Ok(Shell4 {
+            fours: Fours::new(&x, &points),
             nodes,
             x,
             directors,
@@ -186,6 +191,7 @@ impl Shell4 {
         let turns = self.points.each_ref().map(|p| self.turn(p));
         let needed = self.section.has_frame() && turns.iter().any(|t| *t != Turn::NONE);
         self.turns = needed.then_some(turns);
+        self.fours.set_turns(self.turns.as_ref());
         self
     }
 
@@ -231,8 +237,9 @@ impl Shell4 {
     /// Force and tangent; with `kept` the geometric part of the tangent takes extrapolated stresses.
     fn answer(&self, trial: Trial<'_>, mut kept: Option<&mut [f64]>, out: &mut Response) -> Result<(), ElementError> {
         let Trial { motion, old, new, want } = trial;
+        let arch = pulp::Arch::new();
         let c = self.configuration(&motion);
-        let values = self.values(&c);
+        let (strains, slopes) = arch.dispatch(Strains { shell: self, c: &c });
         let common = want.tangent.then(|| self.common(&c));
         let extrapolated = match &kept {
             Some(kept) if want.tangent => self.extrapolate(kept, &motion),
@@ -241,15 +248,16 @@ impl Shell4 {
         let (mut stressed, mut other) = (Stressed::default(), Stressed::default());
         let mut any = false;
         let mut section = SectionResponse::default();
+        let mut resultants: [Four; 8] = [[0.0; 4]; 8];
         let len = self.section.history_len();
         for (g, p) in self.points.iter().enumerate() {
             let slots = g * len..(g + 1) * len;
             let (old, new) = (&old[slots.clone()], &mut new[slots]);
-            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
-            let strain = turn.strain(&self.strain(p, &c, &values));
+            let strain = strains.map(|of| of[g]);
             match &common {
                 Some(common) => {
                     self.section.respond(&strain, old, new, &mut section)?;
+                    let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
                     turn.back(&mut section);
                     let rows = Self::rows(p, &c, common);
                     add_material(&rows, &section.tangent, p.area, &mut out.tangent);
@@ -261,16 +269,15 @@ impl Shell4 {
                     if let Some(kept) = kept.as_deref_mut() {
                         mixed::keep_point(kept, g, &section);
                     }
+                    self.stress(p, &section.resultants, &mut stressed);
                 }
-                None => {
-                    self.section.resist(&strain, old, new, &mut section)?;
-                    section.resultants = turn.resultants_back(&section.resultants);
-                }
+                None => self.section.resist(&strain, old, new, &mut section)?,
             }
-            self.stress(p, &section.resultants, &mut stressed);
+            resultants.iter_mut().zip(section.resultants).for_each(|(to, n)| to[g] = n);
         }
         if want.force {
-            Self::add_force(&c, &stressed, &mut out.force);
+            let (force, turned) = (&mut out.force[..], common.is_none());
+            arch.dispatch(Forces { shell: self, c: &c, slopes: &slopes, resultants: &resultants, turned, force });
         }
         if want.tangent {
             out.tangent.mirror();

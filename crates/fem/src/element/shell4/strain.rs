@@ -9,7 +9,7 @@ use crate::element::shell::geometry::{Point, blend};
 use crate::element::{LocalMatrix, Motion};
 
 /// The four edges (from, to) with the strain they sample: along r at s = −1 and 1, along s at r = 1 and −1.
-const EDGES: [(usize, usize); 4] = [(0, 1), (3, 2), (1, 2), (0, 3)];
+pub(super) const EDGES: [(usize, usize); 4] = [(0, 1), (3, 2), (1, 2), (0, 3)];
 
 /// Positions, directors and their increments.
 pub(super) struct Configuration {
@@ -27,8 +27,8 @@ pub(super) struct Common {
 
 /// Membrane shear and edge shears, common to all points.
 pub(super) struct Values {
-    shear: Option<f64>,
-    edges: [f64; 4],
+    pub(super) shear: Option<f64>,
+    pub(super) edges: [f64; 4],
 }
 
 /// Weighted resultants that multiply the constant second derivatives of the strains.
@@ -68,6 +68,7 @@ impl Shell4 {
     }
 
     /// 2ε_12 at a point.
+    #[inline(always)]
     fn membrane_shear(&self, p: &Point, c: &Configuration) -> f64 {
         let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
         let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
@@ -75,6 +76,7 @@ impl Shell4 {
     }
 
     /// Strains that are common to all points.
+    #[inline(always)]
     pub(super) fn values(&self, c: &Configuration) -> Values {
         Values {
             shear: match self.membrane_shear {
@@ -190,28 +192,6 @@ impl Shell4 {
             for n in [a, b] {
                 out.xd[b][n] += q;
                 out.xd[a][n] -= q;
-            }
-        }
-    }
-
-    /// Adds the internal force. The strains are quadratic in x and bilinear in x and d: with y = x − x_0, which no strain
-    /// misses,
-    ///
-    /// ```text
-    /// f_a = Σ_b xx_ab y_b + Σ_b xd_ab d_b ,   m_b = d_b × Σ_a xd_ab y_a
-    /// ```
-    pub(super) fn add_force(c: &Configuration, stressed: &Stressed, force: &mut [f64]) {
-        let y = c.x.map(|x| x - c.x[0]);
-        for a in 0..4 {
-            let (mut f, mut pull) = (Vector3::zeros(), Vector3::zeros());
-            for b in 0..4 {
-                f += y[b] * stressed.xx[a][b] + c.d[b] * stressed.xd[a][b];
-                pull += y[b] * stressed.xd[b][a];
-            }
-            let moment = c.d[a].cross(&pull);
-            for i in 0..3 {
-                force[6 * a + i] += f[i];
-                force[6 * a + 3 + i] += moment[i];
             }
         }
     }

@@ -21,6 +21,14 @@ impl Turn {
         Turn { cosine, sine }
     }
 
+    pub(super) fn cosine(self) -> f64 {
+        self.cosine
+    }
+
+    pub(super) fn sine(self) -> f64 {
+        self.sine
+    }
+
     /// T E.
     pub(super) fn strain(self, v: &[f64; 8]) -> [f64; 8] {
         if self == Turn::NONE {
