@@ -32,3 +32,29 @@ pub fn available() -> usize {
 pub fn share(runs: usize) -> usize {
     (available() / runs.max(1)).max(1)
 }
+
+/// What `make` returns for every item with its number, on so many threads of the pool.
+pub(crate) fn each<T: Send, R: Send>(
+    threads: usize,
+    items: &mut [T],
+    make: impl Fn(usize, &mut T) -> R + Sync,
+) -> Vec<R> {
+    from(threads, 0, items, &make)
+}
+
+fn from<T: Send, R: Send>(
+    threads: usize,
+    first: usize,
+    items: &mut [T],
+    make: &(impl Fn(usize, &mut T) -> R + Sync),
+) -> Vec<R> {
+    if threads < 2 || items.len() < 2 {
+        return items.iter_mut().enumerate().map(|(k, item)| make(first + k, item)).collect();
+    }
+    let half = items.len() / 2;
+    let (left, right) = items.split_at_mut(half);
+    let own = || from(threads / 2, first, left, make);
+    let (mut own, other) = rayon::join(own, || from(threads - threads / 2, first + half, right, make));
+    own.extend(other);
+    own
+}

@@ -71,6 +71,11 @@ impl Fronts {
         })
     }
 
+    /// The same for another matrix on the pattern.
+    pub fn another(&self) -> Fronts {
+        Fronts { tree: self.tree.clone(), keep: self.keep, panels: Vec::new(), desks: Default::default(), ready: false }
+    }
+
     /// Factors a matrix on the pattern on `threads` threads; returns the lower triangle of C. Its entries among the unknowns that stay are not read.
     ///
     /// Errors: a pivot that is zero or not finite; the factor is lost then.
@@ -121,6 +126,19 @@ impl Fronts {
     /// Keeps the next factor in this precision.
     pub fn keep_as(&mut self, keep: Keep) {
         self.keep = keep;
+    }
+
+    /// The first unknown whose pivot is negative, if there is one.
+    pub fn first_negative(&self) -> Option<usize> {
+        let of = |(node, panel): (&Node, &Panel)| {
+            let mut columns = (0..node.width).map(|j| j * (node.height() + 1)).enumerate();
+            let negative = columns.find(|&(_, at)| match panel {
+                Panel::Double(l) => l[at] < 0.0,
+                Panel::Single(l) => l[at] < 0.0,
+            });
+            negative.map(|(j, _)| node.first + j)
+        };
+        self.tree.nodes.iter().zip(&self.panels).find_map(of)
     }
 
     /// Additions and multiplications of one factorisation.

@@ -285,12 +285,17 @@ impl Plate {
                 }
             }
         }
+        for (&node, angle) in rings[self.foot].iter().zip(angles) {
+            // As on the wall: e_θ, e_z, e_r.
+            let (s, c) = angle.sin_cos();
+            builder.rotation_frame(node, Matrix3::new(-s, c, 0.0, 0.0, 0.0, 1.0, c, s, 0.0));
+        }
         let ends = |ring: &Vec<usize>| [ring[0], ring[ring.len() - 1]];
         for (i, ring) in rings.iter().enumerate() {
             for node in ends(ring) {
                 builder.hold(node, Dof::Uy);
-                // The foot is a fold, with rotations about the global axes.
-                let turns: &[Dof] = if i == self.foot { &[Dof::Rx, Dof::Rz] } else { &[Dof::Ry] };
+                // The foot is a fold, with a third rotation: about e_r.
+                let turns: &[Dof] = if i == self.foot { &[Dof::Ry, Dof::Rz] } else { &[Dof::Ry] };
                 turns.iter().for_each(|&d| builder.hold(node, d));
             }
         }

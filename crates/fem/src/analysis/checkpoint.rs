@@ -19,7 +19,7 @@ use crate::state::State;
 /// First bytes of a file.
 pub const MAGIC: [u8; 8] = *b"TANKSTOP";
 /// Version of the format.
-pub const VERSION: u32 = 12;
+pub const VERSION: u32 = 13;
 /// Bytes before the payload.
 const HEAD: usize = 8 + 4 + 8 + 8;
 

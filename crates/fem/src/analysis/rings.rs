@@ -23,30 +23,39 @@ use std::sync::Arc;
 
 use super::{AnalysisError, failed};
 use crate::assembly::Assembler;
-use crate::linalg::{Factor, Kind, LinalgError, Matrix, Symmetric, minres};
+use crate::cores::each;
+use crate::linalg::{LinalgError, Matrix, Symmetric, minres};
 use crate::model::Model;
 use crate::ring::{RingBlock, Weight};
 use joints::{Open, Update};
+use order::SectionFactor;
 
 mod joints;
 mod layout;
+mod order;
+mod wide;
 
 pub use joints::OPEN_AT_MOST;
 pub use layout::RingLayout;
+pub(in crate::analysis) use layout::Without;
+pub(in crate::analysis) use order::Order;
 
 /// Products in one solution at most.
 const LIMIT: usize = 400;
+/// Unknowns from which a second thread is worth its start.
+const MANY: usize = 5_000;
 /// A solution that has not reached its tolerance is still a direction if its residual has fallen to this part.
 const USEFUL: f64 = 0.3;
 
 /// Factored preconditioner, and the factors of the elements that are not assembled.
 pub struct RingSolver {
     layout: Arc<RingLayout>,
-    factors: Vec<Factor>,
+    factors: Vec<SectionFactor>,
     /// Open joints.
     open: Option<Update>,
     /// (c_M, c_K) by the order of the operators.
     shares: Vec<[f64; 2]>,
+    threads: usize,
 }
 
 impl RingSolver {
@@ -60,9 +69,16 @@ impl RingSolver {
         sparse: &Symmetric,
         shares: &[[f64; 2]],
     ) -> Result<RingSolver, LinalgError> {
-        let mut out = RingSolver { layout: layout.clone(), factors: Vec::new(), open: None, shares: shares.to_vec() };
+        let mut out =
+            RingSolver { layout: layout.clone(), factors: Vec::new(), open: None, shares: shares.to_vec(), threads: 1 };
         out.refactor(model, assembler, sparse, shares)?;
         Ok(out)
+    }
+
+    /// The same with solutions on `threads` threads; no result depends on their number.
+    pub fn on_threads(mut self, threads: usize) -> RingSolver {
+        self.threads = threads;
+        self
     }
 
     /// The same for other values.
@@ -80,23 +96,27 @@ impl RingSolver {
         let mut mean = layout.mean(sparse);
         let open = Open::close(&layout, sparse, &mut mean);
         let amplitudes = layout.amplitude_diagonal(sparse);
-        for m in 0..layout.ring().harmonics() {
+        if self.factors.is_empty() {
+            let rows: Vec<usize> = (0..layout.size()).collect();
+            let orders = [0, 1].map(|sloshing| Arc::new(Order::new(&layout, sloshing, [&rows, &[]])));
+            let harmonics = 0..layout.ring().harmonics();
+            let of = |m: usize| SectionFactor::new(&orders[usize::from(layout.has_amplitudes(m))]);
+            self.factors = harmonics.map(of).collect::<Result<_, LinalgError>>()?;
+        }
+        let operators: Vec<_> = assembler.operators(model).map(|placed| placed.operator).collect();
+        let done = each(self.threads, &mut self.factors, |m, factor| {
             let mut section = layout.section(m, &mean);
-            for (number, (placed, [on_mass, on_stiffness])) in
-                assembler.operators(model).zip(shares.iter().copied()).enumerate()
-            {
-                let RingBlock { mass, stiffness } = &placed.operator.blocks()[m];
-                layout.add_block(&mut section, number, on_mass, mass);
+            for (number, (operator, [on_mass, on_stiffness])) in operators.iter().zip(shares).enumerate() {
+                let RingBlock { mass, stiffness } = &operator.blocks()[m];
+                layout.add_block(&mut section, number, *on_mass, mass);
                 if let Some(k) = stiffness {
-                    layout.add_block(&mut section, number, on_stiffness, k);
+                    layout.add_block(&mut section, number, *on_stiffness, k);
                 }
             }
             layout.close(&mut section, m, &amplitudes);
-            match self.factors.get_mut(m) {
-                Some(factor) => factor.refactor(&section)?,
-                None => self.factors.push(layout.symbolic(m).factor(&section, Kind::Definite)?),
-            }
-        }
+            factor.renew(&section)
+        });
+        done.into_iter().collect::<Result<(), LinalgError>>()?;
         self.open = open.update(&layout, &self.factors)?;
         Ok(())
     }
@@ -120,10 +140,10 @@ impl RingSolver {
             let found = numbers.iter().position(|n| *n == e);
             found.map_or([0.0; 2], |i| self.shares[i])
         };
+        let mut room = vec![0.0; b.len()];
         let mut product = |x: &[f64], y: &mut [f64]| {
             y.fill(0.0);
-            sparse.add_product(1.0, x, y);
-            assembler.add_operator_products(model, share, x, y);
+            assembler.add_whole_product(model, (sparse, &share), x, [y, &mut room], self.threads);
         };
         let mut precondition = |r: &[f64], z: &mut [f64]| self.precondition(r, z);
         let found = minres(&mut product, &mut precondition, b, x, tolerance, LIMIT)?;
@@ -153,28 +173,33 @@ impl RingSolver {
         let layout = &*self.layout;
         let ring = layout.ring();
         let (families, size) = (ring.families(), layout.size());
-        let mut room = ring.room();
+        let (harmonics, threads) = (ring.harmonics(), if r.len() < MANY { 1 } else { self.threads });
+        let mut waves = vec![Vec::new(); size];
+        each(threads, &mut waves, |a, out: &mut Vec<f64>| {
+            let value = |&e: &u32| r.get(e as usize).copied().unwrap_or(0.0);
+            let row: Vec<f64> = layout.equations(a).iter().map(value).collect();
+            out.resize(families * harmonics, 0.0);
+            let put = |m: usize, f: usize, c: f64| out[f * harmonics + m] = c;
+            ring.analyse(&row, layout.is_odd(a), Weight::Displacements, &mut ring.room(), put);
+        });
         let mut sections: Vec<Matrix> =
-            (0..ring.harmonics()).map(|m| Matrix::zeros(layout.symbolic(m).pattern().size(), families)).collect();
-        let mut row = vec![0.0; ring.meridians()];
-        for a in 0..size {
-            for (value, &e) in row.iter_mut().zip(layout.equations(a)) {
-                *value = r.get(e as usize).copied().unwrap_or(0.0);
+            (0..harmonics).map(|m| Matrix::zeros(layout.symbolic(m).pattern().size(), families)).collect();
+        each(threads, &mut sections, |m, section| {
+            for f in 0..families {
+                section.column_mut(f).iter_mut().zip(&waves).for_each(|(x, wave)| *x = wave[f * harmonics + m]);
             }
-            ring.analyse(&row, layout.is_odd(a), Weight::Displacements, &mut room, |m, f, c| {
-                sections[m].column_mut(f)[a] = c;
-            });
-        }
-        for &(e, a) in layout.amplitudes() {
-            sections[a.harmonic].column_mut(a.family)[size + a.slot] = r[e];
-        }
-        for (factor, section) in self.factors.iter().zip(&mut sections) {
-            factor.solve(section)?;
-        }
-        z.fill(0.0);
-        for a in 0..size {
+            for &(e, a) in layout.amplitudes().iter().filter(|(_, a)| a.harmonic == m) {
+                section.column_mut(a.family)[size + a.slot] = r[e];
+            }
+            self.factors[m].solve(section);
+        });
+        each(threads, &mut waves, |a, row: &mut Vec<f64>| {
+            row.resize(ring.meridians(), 0.0);
             let get = |m: usize, f: usize| sections[m].column(f)[a];
-            ring.synthesise(layout.is_odd(a), Weight::Displacements, &mut room, get, &mut row);
+            ring.synthesise(layout.is_odd(a), Weight::Displacements, &mut ring.room(), get, row);
+        });
+        z.fill(0.0);
+        for (a, row) in waves.iter().enumerate() {
             for (value, &e) in row.iter().zip(layout.equations(a)) {
                 if let Some(z) = z.get_mut(e as usize) {
                     *z = *value;

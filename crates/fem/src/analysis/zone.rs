@@ -7,7 +7,9 @@
 //! ```
 //!
 //! E is factored and C formed rarely, S + C whenever iterations become slow: what the ground does costs a factor of the zone. The liquid of
-//! a wall is dense in E, and its factor takes ten to thirty times the operations of that of a zone.
+//! a wall is dense in E: n²/2 entries and n³/3 operations over n wetted nodes. With such elements E is therefore its mean over all turns (`sections`), one
+//! small factor for each harmonic, and a solution is guided by the factors: a minimal-residual iteration with products of the matrix itself takes one of them
+//! where the wall is round and elastic, and up to ten where it yields at one side.
 //!
 //! # Newton's method with an E that is kept
 //!
@@ -29,15 +31,18 @@
 //!
 //! Source: Qi & Sun 1993 (semi-smooth Newton); Przemieniecki 1963 (substructures).
 
+mod sections;
 pub mod solver;
 
 use std::sync::Arc;
 
 use super::AnalysisError;
 use super::failed;
+use super::rings::Without;
 use crate::assembly::{Assembler, PlacedOperator};
 use crate::linalg::{Fronts, Keep, LinalgError, Ordering, Pattern, Symmetric};
 use crate::model::Model;
+use sections::Sections;
 
 /// Marks unknowns that are not in a part.
 const NONE: u32 = u32::MAX;
@@ -49,63 +54,34 @@ pub struct Zone {
     elements: Vec<bool>,
     /// Unknowns outside, and of the zone.
     sizes: [usize; 2],
-    /// Position of each equation: unknowns outside in the order of their elimination, then those of the zone that they touch.
-    outer_of: Vec<u32>,
+    outside: Outside,
     /// Position of each equation in the zone.
     inner_of: Vec<u32>,
-    outer: Arc<Pattern>,
     inner: Arc<Pattern>,
-    /// Places in the model's pattern and in those of the parts.
-    outer_places: Vec<[u32; 2]>,
+    /// Places in the model's pattern and in that of the zone.
     inner_places: Vec<[u32; 2]>,
     /// Positions in the zone of the unknowns that the outside touches, in the order of C, and the places of C's lower triangle, column by column.
     touched: Vec<u32>,
     border: Vec<u32>,
-    operators: Vec<Dense>,
 }
 
-/// Mass and stiffness of an element that is not assembled: values with their places in one of the parts.
-#[derive(Default)]
-struct Dense {
-    outer: Entries,
-    inner: Entries,
+/// Unknowns that are not of the zone.
+enum Outside {
+    /// As they are.
+    Dissected(Dissected),
+    /// With the elements that are not assembled, by harmonics.
+    Harmonic(Box<Sections>),
 }
 
-#[derive(Default)]
-struct Entries {
-    places: Vec<u32>,
-    mass: Vec<f64>,
-    stiffness: Vec<f64>,
-}
-
-impl Entries {
-    fn add(&self, [on_mass, on_stiffness]: [f64; 2], values: &mut [f64]) {
-        for ((&p, m), k) in self.places.iter().zip(&self.mass).zip(&self.stiffness) {
-            values[p as usize] += on_mass * m + on_stiffness * k;
-        }
-    }
-}
-
-impl Dense {
-    /// Values of an element; `at` says whether an entry is outside, and its place there or in the zone.
-    fn of(placed: &PlacedOperator<'_>, at: impl Fn(usize, usize) -> (bool, Option<u32>)) -> Dense {
-        let n = placed.operator.size();
-        let (mass, stiffness) = (placed.operator.dense_mass(), placed.operator.dense_stiffness());
-        let mut out = Dense::default();
-        for b in 0..n {
-            for a in b..n {
-                let (Some(i), Some(j)) = (placed.equation(a), placed.equation(b)) else { continue };
-                let (outer, place) = at(i, j);
-                let to = if outer { &mut out.outer } else { &mut out.inner };
-                if let Some(place) = place {
-                    to.places.push(place);
-                    to.mass.push(mass.get(a, b));
-                    to.stiffness.push(stiffness.get(a, b));
-                }
-            }
-        }
-        out
-    }
+/// Unknowns outside in the order of their elimination, then those of the zone that they touch.
+struct Dissected {
+    /// Position of each equation.
+    of: Vec<u32>,
+    /// Number of those eliminated.
+    size: usize,
+    pattern: Arc<Pattern>,
+    /// Places in the model's pattern and in this one.
+    places: Vec<[u32; 2]>,
 }
 
 /// The same elements are the same zone of a model.
@@ -209,9 +185,9 @@ fn members(model: &Model, own: impl Fn(usize) -> bool) -> (Vec<bool>, Vec<bool>)
     (elements, inside)
 }
 
-/// Unknowns of the zone that the outside touches, and those that an element joins that is not assembled.
-fn seams(inside: &[bool], pattern: &Pattern, operators: &[PlacedOperator<'_>]) -> (Vec<bool>, Vec<bool>) {
-    let (mut touched, mut joined) = (vec![false; inside.len()], vec![false; inside.len()]);
+/// Unknowns of the zone that the outside touches.
+fn seams(inside: &[bool], pattern: &Pattern, operators: &[PlacedOperator<'_>]) -> Vec<bool> {
+    let mut touched = vec![false; inside.len()];
     entries(pattern, |i, j, _| {
         if inside[i] != inside[j] {
             touched[if inside[i] { i } else { j }] = true;
@@ -219,11 +195,36 @@ fn seams(inside: &[bool], pattern: &Pattern, operators: &[PlacedOperator<'_>]) -
     });
     for placed in operators {
         for q in (0..placed.operator.size()).filter_map(|k| placed.equation(k)) {
-            joined[q] = true;
             touched[q] |= inside[q];
         }
     }
-    (touched, joined)
+    touched
+}
+
+impl Dissected {
+    fn new(model: &Model, pattern: &Arc<Pattern>, Without { inside, touched }: Without<'_>) -> Dissected {
+        let free: Vec<bool> = inside.iter().map(|inside| !inside).collect();
+        let mut order = apart(model, pattern, &free);
+        let size = order.len();
+        order.extend((0..inside.len()).filter(|&e| touched[e]));
+        let of = numbered(&order, inside.len());
+        // Entries of the zone are not those of the outside.
+        let is_outer = |i: usize, j: usize| !(inside[i] && inside[j]);
+        let mut pairs = Vec::new();
+        entries(pattern, |i, j, _| {
+            if is_outer(i, j) {
+                pairs.extend(pair(&of, i, j));
+            }
+        });
+        let own = Arc::new(pattern_of(order.len(), pairs.into_iter(), &[(size..order.len()).collect()]));
+        let mut places = Vec::new();
+        entries(pattern, |i, j, p| {
+            if is_outer(i, j) {
+                places.extend(place(&own, pair(&of, i, j)).map(|to| [p as u32, to]));
+            }
+        });
+        Dissected { of, size, pattern: own, places }
+    }
 }
 
 /// Positions of the unknowns of the zone and its pattern, in the order of fewer operations of two. What the outside touches comes last in
@@ -278,62 +279,40 @@ impl Zone {
         let (elements, inside) = members(model, own);
         let pattern = assembler.pattern();
         let operators: Vec<_> = assembler.operators(model).collect();
-        let (touched, joined) = seams(&inside, pattern, &operators);
-        // Outside: what the liquid does not join by dissection, then what it joins.
-        let free: Vec<bool> = inside.iter().zip(&joined).map(|(inside, joined)| !inside && !joined).collect();
-        let mut outer_order = apart(model, pattern, &free);
-        outer_order.extend((0..size).filter(|&e| !inside[e] && joined[e]));
-        let outside = outer_order.len();
-        let border: Vec<usize> = (0..size).filter(|&e| touched[e]).collect();
-        outer_order.extend(&border);
-        let outer_of = numbered(&outer_order, size);
-        // Entries of the zone are not those of the outside.
-        let is_outer = |i: usize, j: usize| !(inside[i] && inside[j]);
-        let mut outer_pairs = Vec::new();
-        entries(pattern, |i, j, _| {
-            if is_outer(i, j) {
-                outer_pairs.extend(pair(&outer_of, i, j));
+        let touched = seams(&inside, pattern, &operators);
+        let without = Without { inside: &inside, touched: &touched };
+        let outside = match operators.is_empty() {
+            true => Outside::Dissected(Dissected::new(model, pattern, without)),
+            false => Outside::Harmonic(Box::new(Sections::new(model, assembler, without)?)),
+        };
+        let (inner_of, inner) = inner_part(model, pattern, &inside, &touched)?;
+        let mut inner_places = Vec::new();
+        entries(pattern, |i, j, p| {
+            if inside[i] && inside[j] {
+                inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to]));
             }
         });
-        let mut cliques: Vec<Vec<usize>> = vec![border.iter().map(|&e| outer_of[e] as usize).collect()];
-        for placed in &operators {
-            let own = (0..placed.operator.size()).filter_map(|k| placed.equation(k));
-            let mut clique: Vec<usize> = own.map(|e| outer_of[e] as usize).collect();
-            clique.sort_unstable();
-            cliques.push(clique);
-        }
-        let outer = Arc::new(pattern_of(outer_order.len(), outer_pairs.into_iter(), &cliques));
-        let (inner_of, inner) = inner_part(model, pattern, &inside, &touched)?;
-        let (mut outer_places, mut inner_places) = (Vec::new(), Vec::new());
-        entries(pattern, |i, j, p| match is_outer(i, j) {
-            true => outer_places.extend(place(&outer, pair(&outer_of, i, j)).map(|to| [p as u32, to])),
-            false => inner_places.extend(place(&inner, pair(&inner_of, i, j)).map(|to| [p as u32, to])),
-        });
-        let touched: Vec<u32> = border.iter().map(|&e| inner_of[e]).collect();
-        let mut c_places = Vec::with_capacity(touched.len() * (touched.len() + 1) / 2);
+        let touched: Vec<u32> = (0..size).filter(|&e| touched[e]).map(|e| inner_of[e]).collect();
+        let mut border = Vec::with_capacity(touched.len() * (touched.len() + 1) / 2);
         for (b, &j) in touched.iter().enumerate() {
             for &i in &touched[b..] {
                 let (i, j) = (i.max(j) as usize, i.min(j) as usize);
-                c_places.extend(place(&inner, Some((i, j))));
+                border.extend(place(&inner, Some((i, j))));
             }
         }
-        let at = |i: usize, j: usize| match is_outer(i, j) {
-            true => (true, place(&outer, pair(&outer_of, i, j))),
-            false => (false, place(&inner, pair(&inner_of, i, j))),
+        let eliminated = match &outside {
+            Outside::Dissected(own) => own.size,
+            Outside::Harmonic(own) => own.size(),
         };
-        let operators = operators.iter().map(|placed| Dense::of(placed, at)).collect();
         Ok(Zone {
             elements,
-            sizes: [outside, inner.size()],
-            outer_of,
+            sizes: [eliminated, inner.size()],
+            outside,
             inner_of,
-            outer,
             inner,
-            outer_places,
             inner_places,
             touched,
-            border: c_places,
-            operators,
+            border,
         })
     }
 

@@ -66,6 +66,25 @@ impl Assembler {
         }
     }
 
+    /// y ← y + A x, with a sparse matrix and the elements that are not assembled; the latter beside it into `room` if there are two `threads`.
+    pub(crate) fn add_whole_product(
+        &self,
+        model: &Model,
+        (sparse, factors): (&Symmetric, &(impl Fn(usize) -> [f64; 2] + Sync)),
+        x: &[f64],
+        [y, room]: [&mut [f64]; 2],
+        threads: usize,
+    ) {
+        room.fill(0.0);
+        if threads < 2 {
+            sparse.add_product(1.0, x, y);
+            self.add_operator_products(model, factors, x, room);
+        } else {
+            rayon::join(|| sparse.add_product(1.0, x, y), || self.add_operator_products(model, factors, x, room));
+        }
+        y.iter_mut().zip(&*room).for_each(|(y, other)| *y += other);
+    }
+
     /// y ← y + M x of the elements that are not assembled.
     pub fn add_operator_mass(&self, model: &Model, x: &[f64], y: &mut [f64]) {
         self.add_operator_products(model, |_| [1.0, 0.0], x, y);

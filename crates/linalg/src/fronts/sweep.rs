@@ -78,9 +78,10 @@ impl Fronts {
         room.clear();
         room.extend_from_slice(&b[node.first..node.first + node.width]);
         room.resize(node.height(), 0.0);
+        let width = node.width;
         match &self.panels[k] {
-            Panel::Double(l) => down(l, node.width, room),
-            Panel::Single(l) => down(l, node.width, room),
+            Panel::Double(l) => pulp::Arch::new().dispatch(Sweep { l, width, room, up: false }),
+            Panel::Single(l) => pulp::Arch::new().dispatch(Sweep { l, width, room, up: false }),
         }
         b[node.first..node.first + node.width].copy_from_slice(&room[..node.width]);
         let below = node.below.iter().zip(&room[node.width..]);
@@ -92,15 +93,37 @@ impl Fronts {
         room.clear();
         room.extend_from_slice(&x[node.first..node.first + node.width]);
         room.extend(node.below.iter().map(|&i| x[i as usize]));
+        let width = node.width;
         match &self.panels[k] {
-            Panel::Double(l) => up(l, node.width, room),
-            Panel::Single(l) => up(l, node.width, room),
+            Panel::Double(l) => pulp::Arch::new().dispatch(Sweep { l, width, room, up: true }),
+            Panel::Single(l) => pulp::Arch::new().dispatch(Sweep { l, width, room, up: true }),
         }
         x[node.first..node.first + node.width].copy_from_slice(&room[..node.width]);
     }
 }
 
+/// A sweep over one panel in the registers of the processor: the same operations in the same order on all of them.
+struct Sweep<'a, T> {
+    l: &'a [T],
+    width: usize,
+    room: &'a mut [f64],
+    up: bool,
+}
+
+impl<T: Copy + Into<f64>> pulp::WithSimd for Sweep<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        match self.up {
+            true => up(self.l, self.width, self.room),
+            false => down(self.l, self.width, self.room),
+        }
+    }
+}
+
 /// The first `width` of `room` ← L⁻¹ of them, the others −= Y times that.
+#[inline(always)]
 fn down<T: Copy + Into<f64>>(l: &[T], width: usize, room: &mut [f64]) {
     let height = room.len();
     for j in (0..width).step_by(COLUMNS) {
@@ -111,57 +134,86 @@ fn down<T: Copy + Into<f64>>(l: &[T], width: usize, room: &mut [f64]) {
                 room[i] -= l[a * height + i].into() * y;
             }
         }
-        let column = |a: usize| &l[a * height + end..(a + 1) * height];
         if end - j == COLUMNS {
             let [y0, y1, y2, y3] = [room[j], room[j + 1], room[j + 2], room[j + 3]];
-            let columns = column(j).iter().zip(column(j + 1)).zip(column(j + 2)).zip(column(j + 3));
-            for (r, (((l0, l1), l2), l3)) in room[end..].iter_mut().zip(columns) {
-                *r -= ((*l0).into() * y0 + (*l1).into() * y1) + ((*l2).into() * y2 + (*l3).into() * y3);
+            let [l0, l1, l2, l3] = columns(l, j, end, height);
+            for (i, r) in room[end..].iter_mut().enumerate() {
+                *r -= (l0[i].into() * y0 + l1[i].into() * y1) + (l2[i].into() * y2 + l3[i].into() * y3);
             }
         } else {
             for a in j..end {
                 let y = room[a];
-                room[end..].iter_mut().zip(column(a)).for_each(|(r, l)| *r -= (*l).into() * y);
+                for (r, l) in room[end..].iter_mut().zip(&l[a * height + end..(a + 1) * height]) {
+                    *r -= (*l).into() * y;
+                }
             }
         }
     }
 }
 
+/// Four columns from j on, below row `end`.
+#[inline(always)]
+fn columns<T>(l: &[T], j: usize, end: usize, height: usize) -> [&[T]; COLUMNS] {
+    let below = height - end;
+    [
+        &l[j * height + end..][..below],
+        &l[(j + 1) * height + end..][..below],
+        &l[(j + 2) * height + end..][..below],
+        &l[(j + 3) * height + end..][..below],
+    ]
+}
+
 /// The first `width` of `room` ← L⁻ᵀ (D⁻¹ of them − Yᵀ times the others).
+#[inline(always)]
 fn up<T: Copy + Into<f64>>(l: &[T], width: usize, room: &mut [f64]) {
     let height = room.len();
     for j in (0..width).step_by(COLUMNS).rev() {
         let end = (j + COLUMNS).min(width);
-        let column = |a: usize| &l[a * height + end..(a + 1) * height];
         let mut sums = [0.0; COLUMNS];
         if end - j == COLUMNS {
-            sums = dots([column(j), column(j + 1), column(j + 2), column(j + 3)], &room[end..]);
+            sums = dots(columns(l, j, end, height), &room[end..]);
         } else {
             for a in j..end {
-                sums[a - j] = column(a).iter().zip(&room[end..]).map(|(l, r)| (*l).into() * r).sum();
+                for (l, r) in l[a * height + end..(a + 1) * height].iter().zip(&room[end..]) {
+                    sums[a - j] += (*l).into() * r;
+                }
             }
         }
         for a in (j..end).rev() {
-            let within: f64 = (a + 1..end).map(|i| l[a * height + i].into() * room[i]).sum();
+            let mut within = 0.0;
+            for i in a + 1..end {
+                within += l[a * height + i].into() * room[i];
+            }
             room[a] = room[a] / l[a * height + a].into() - sums[a - j] - within;
         }
     }
 }
 
 /// Σ a b of four columns a, in [`LANES`] sums each.
+#[inline(always)]
 fn dots<T: Copy + Into<f64>>(columns: [&[T]; COLUMNS], b: &[f64]) -> [f64; COLUMNS] {
     let mut sums = [[0.0; LANES]; COLUMNS];
     let whole = b.len() - b.len() % LANES;
     for at in (0..whole).step_by(LANES) {
         let part: &[f64] = &b[at..at + LANES];
-        for (sums, column) in sums.iter_mut().zip(columns) {
-            for ((sum, a), b) in sums.iter_mut().zip(&column[at..at + LANES]).zip(part) {
-                *sum += (*a).into() * b;
+        for k in 0..COLUMNS {
+            let column = &columns[k][at..at + LANES];
+            for i in 0..LANES {
+                sums[k][i] += column[i].into() * part[i];
             }
         }
     }
-    std::array::from_fn(|k| {
-        let rest: f64 = columns[k][whole..].iter().zip(&b[whole..]).map(|(a, b)| (*a).into() * b).sum();
-        sums[k].iter().sum::<f64>() + rest
-    })
+    let mut out = [0.0; COLUMNS];
+    for k in 0..COLUMNS {
+        let mut rest = 0.0;
+        for (a, b) in columns[k][whole..].iter().zip(&b[whole..]) {
+            rest += (*a).into() * b;
+        }
+        let mut sum = 0.0;
+        for i in 0..LANES {
+            sum += sums[k][i];
+        }
+        out[k] = sum + rest;
+    }
+    out
 }

@@ -4,7 +4,7 @@
 //! liquid     few wetted nodes w: a dense block: M, K, C of the element and of the liquid, places, M, C and tangents of the
 //!            model, the factor, copies of an iteration
 //!            many: one block over the levels for each harmonic, and a factored section of the wall with it
-//!            a wall on its bottom: the latter, and its matrices as entries of a factor that is kept
+//!            a wall on its bottom: the latter, beside a factor of plate and ground
 //! wall       5 unknowns a node (twice for two shells); nested dissection of a surface
 //! history    committed and trial state of every point of every layer
 //! ```
@@ -33,9 +33,9 @@ const MODEL_BLOCKS: f64 = 8.5;
 const MARCH_BLOCKS: f64 = 3.2;
 /// Bytes of a cell of one shell, its matrices in the model included, without its history.
 const CELL: f64 = 20_000.0;
-/// Bytes more where the wall stands on its bottom: entries of the matrices of zone and rest, with their places. Measured: 435 MiB with 3 888 cells and
-/// 1 491 MiB with 10 656, where 137 and 775 were estimated without.
-const GROUND_CELL: f64 = 68_000.0;
+/// Bytes more where the wall stands on its bottom: tangents of the plate apart, of the whole and of the spare factor, finer cells. Measured: 177 MiB with 1 944
+/// cells, 394 to 509 MiB with 5 328, 3 248 MiB with 50 200.
+const GROUND_CELL: f64 = 30_000.0;
 /// Integration points of a cell.
 const POINTS: f64 = 4.0;
 /// States of the history kept at a time: committed, trial, and a copy to return to.
@@ -61,13 +61,10 @@ const GROUND_ITERATIONS: f64 = 6.0;
 const RENEWED: f64 = 6.0;
 const SINGLE: f64 = 4.0;
 const GROUND_START: f64 = 12.0;
-/// Unknowns of the foot at a meridian.
-const FOOT: f64 = 6.0;
-/// Bytes a pair of wetted nodes: values, places and pattern of a triangle, and the full matrices that they are taken from.
-const ENTRIES: f64 = 34.0;
-/// Bytes kept for a byte of the factor of wall and liquid: in double precision for the start, in single precision, fronts at a time. Measured: 0.9 GiB
-/// where 0.6 were estimated with 3.
-const KEPT_FACTORS: f64 = 7.0;
+/// Unknowns of the foot and of the liquid's floor at a meridian.
+const SEAM: f64 = 11.0;
+/// Solutions with the factors in an iteration, beside a product with the tangent each.
+const GUIDED: f64 = 2.5;
 /// The same of a step of free vibration in a quiet wall: example 08, 31 ms a step against 57 ms in the record (docs/performance.md).
 const QUIET_ITERATIONS: f64 = 1.9;
 /// Time of a step in which the wall yields or cracks over that of an elastic one: the practical steel tank, 252 s against the 87 s of
@@ -132,8 +129,7 @@ struct Size {
     /// Bytes of the liquid's block.
     block: f64,
     shared: Rings,
-    /// Factor of what is kept, and of plate and ground with the block that it leaves on the foot.
-    kept: Fill,
+    /// Factor of the whole, or of plate and ground with the block that the wall leaves on the foot.
     fill: Fill,
 }
 
@@ -158,18 +154,13 @@ impl Size {
         let levels = cells.wet(depth) as f64;
         let operator = on_ground || iterates((levels * meridians) as usize, options.contact);
         let iterated = operator && !on_ground;
-        let shared = if iterated { Rings::new(&cells, levels, node * rows, options.contact) } else { Rings::default() };
-        let foot = FOOT * meridians;
-        let [kept, zone] = match on_ground {
-            true => [
-                Fill::grid([meridians, cells.rows() as f64, 1.0], node, !cells.half)
-                    .with(1.0, Fill::dense(wetted + foot)),
-                Fill::grid([meridians, rings, 1.0], node, !cells.half).with(1.0, Fill::dense(foot)),
-            ],
-            false => [Fill::default(); 2],
-        };
+        let wall = node * if on_ground { cells.rows() as f64 } else { rows };
+        let shared = if operator { Rings::new(&cells, levels, wall, options.contact) } else { Rings::default() };
         let fill = match (operator, on_ground) {
-            (_, true) => zone,
+            (_, true) => {
+                let zone = Fill::grid([meridians, rings, 1.0], node, !cells.half);
+                zone.with(1.0, Fill::dense(SEAM * meridians))
+            }
             (true, _) => Fill::default(),
             (false, _) => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
         };
@@ -184,7 +175,6 @@ impl Size {
             iterated,
             block: if operator { 0.0 } else { NUMBER * wetted * wetted },
             shared,
-            kept,
             fill,
             cells,
         }
@@ -200,7 +190,7 @@ impl Size {
 
     /// Bytes, part by part; `kept` numbers of the histories.
     fn parts(&self, case: &Case, options: &NonlinearOptions, at_a_time: f64, kept: f64) -> Vec<(&'static str, f64)> {
-        let (block, wetted, number) = (self.block, self.wetted, self.number);
+        let (block, number) = (self.block, self.number);
         let depth = case.liquid.fill_height;
         // C of the liquid is another one.
         let damped = matches!(options.damping, Damping::ByGroup { .. });
@@ -212,8 +202,6 @@ impl Size {
         vec![
             (THE_PROGRAM, PROGRAM),
             ("liquid block", model + at_a_time * MARCH_BLOCKS * block + self.shared.blocks),
-            ("liquid as entries of a factor", on_ground(ENTRIES * wetted * wetted)),
-            ("factors of wall and liquid", at_a_time * KEPT_FACTORS * NUMBER * self.kept.entries),
             ("sections of the wall", (1.0 + at_a_time) * self.shared.sections),
             ("open joints", at_a_time * self.shared.joints),
             // A value, and its places.
@@ -236,7 +224,10 @@ impl Size {
             Contact::Opening => opening,
         };
         let sweep = match self.on_ground {
-            true => 2.0 * SINGLE * (self.fill.entries + self.kept.entries) / SWEEP_RATE,
+            true => {
+                let factors = 2.0 * SINGLE * self.fill.entries / SWEEP_RATE;
+                GUIDED * (factors + self.shared.product(self.unknowns, cells) / PRODUCT_RATE)
+            }
             false => {
                 let bytes = 3.0 * self.block + 2.0 * NUMBER * self.fill.entries;
                 (bytes + products * self.shared.product(self.unknowns, cells)) / PRODUCT_RATE
@@ -244,11 +235,10 @@ impl Size {
         };
         let iteration = cells * CELL_TIME + self.history / 12.0 * POINT_TIME + sweep;
         let factor = self.fill.flops / FACTOR_RATE + self.shared.factor;
-        let whole = self.kept.flops / FACTOR_RATE;
         match self.on_ground {
             true => {
-                let each = GROUND_ITERATIONS * (iteration + factor / RENEWED) + whole / KEPT;
-                [START * GROUND_START * (iteration + factor + whole / KEPT), each, each]
+                let each = GROUND_ITERATIONS * (iteration + factor / RENEWED);
+                [START * GROUND_START * (iteration + factor), each, each]
             }
             false => [
                 START * (ITERATIONS * iteration + factor),

@@ -267,15 +267,15 @@ impl Parts {
         let wetted = wet_face(builder, &inner, options.contact);
         turn_radially(builder, [&wetted, &inner], &points, &footprint);
         let operator = iterates(wetted.len());
-        if operator && plate.is_none() {
-            name_rings(builder, &footprint, &wall, &wetted, &cells)?;
+        let floor = plate.as_ref().map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
+        if operator {
+            name_rings(builder, &footprint, &wall, &wetted, &cells, floor.as_ref())?;
         }
         if options.contact == Contact::Opening {
             for &node in &wetted[..footprint.levels[0].len()] {
                 builder.hold(node, Dof::Ux);
             }
         }
-        let floor = plate.as_ref().map(|plate| LiquidFloor::over(plate, builder, footprint.levels[0].len()));
         let (liquid, amplitudes, liquid_element) =
             add_liquid(case, builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
         let join = Join {

@@ -5,10 +5,11 @@ use fem::model::Builder;
 use fem::ring::{NodeRings, Ring};
 use nalgebra::Matrix3;
 
+use super::floor::LiquidFloor;
 use super::mesh::Cells;
 use crate::FeError;
 
-/// Names the rings of nodes of a wall on equally spaced meridians, and gives all of them cylindrical frames.
+/// Names the rings of nodes of a wall on equally spaced meridians, which get cylindrical frames, and those of the liquid's floor.
 ///
 /// Errors: fewer than three sectors.
 pub(super) fn name_rings(
@@ -17,6 +18,7 @@ pub(super) fn name_rings(
     wall: &PlacedWall,
     wetted: &[usize],
     cells: &Cells,
+    floor: Option<&LiquidFloor>,
 ) -> Result<(), FeError> {
     let ring = Ring::new(cells.sectors, cells.half)
         .ok_or_else(|| FeError::Unsupported("the wall has too few sectors".into()))?;
@@ -37,6 +39,8 @@ pub(super) fn name_rings(
     if wetted.first() != wall.inner.get(footprint.levels[0][0]) {
         nodes.extend(wetted.chunks(footprint.levels[0].len()).map(<[usize]>::to_vec));
     }
+    let meridians = footprint.levels[0].len();
+    nodes.extend(floor.iter().flat_map(|floor| floor.nodes.chunks(meridians)).map(<[usize]>::to_vec));
     builder.rings(NodeRings { ring, nodes });
     Ok(())
 }

@@ -26,6 +26,8 @@ pub(super) struct Zoned {
     pub(super) zone: Arc<Zone>,
     /// Tangents of its elements.
     pub(super) own: Symmetric,
+    /// The effective tangent with them.
+    pub(super) whole: Symmetric,
     /// Slow iterations in succession.
     slow: usize,
     /// What is renewed in every iteration.
@@ -52,7 +54,14 @@ pub(super) enum Renew {
 
 impl Zoned {
     pub(super) fn new(zone: Arc<Zone>, assembler: &Assembler) -> Zoned {
-        Zoned { zone, own: Symmetric::zeros(assembler.pattern().clone()), slow: 0, always: Renew::Nothing, spare: None }
+        let zeros = || Symmetric::zeros(assembler.pattern().clone());
+        Zoned { zone, own: zeros(), whole: zeros(), slow: 0, always: Renew::Nothing, spare: None }
+    }
+
+    /// Joins the tangents of the zone to those outside.
+    pub(super) fn join(&mut self, effective: &Symmetric, w: Weights) {
+        self.whole.values.copy_from_slice(&effective.values);
+        self.whole.add(w.stiffness, &self.own);
     }
 
     pub(super) fn apart(&mut self) -> Apart<'_> {
@@ -215,17 +224,18 @@ impl Newton<'_> {
 
     /// Factors the zone with the tangents there are, and x = A⁻¹ b.
     pub(super) fn renew_and_substitute(&mut self, b: &[f64], x: &mut Vec<f64>) -> Result<(), AnalysisError> {
-        let (Some((Solver::Zone(solver), w)), Some(zoned)) = (&mut self.factor, &self.zoned) else {
+        let (Some((Solver::Zone(solver), w)), Some(zoned)) = (&mut self.factor, &mut self.zoned) else {
             return self.back_substitute(b, x);
         };
+        zoned.join(&self.effective, *w);
         let own = Some((w.stiffness, &zoned.own));
         solver.keep_as(zoned.keep(*w), false);
         let factored = solver.renew_zone(own).map_err(failed(WHAT));
-        match factored {
-            Ok(()) => solver.solve(b, x),
-            Err(_) => self.factor = None,
+        if factored.is_err() {
+            self.factor = None;
+            return factored;
         }
-        factored
+        self.back_substitute(b, x)
     }
 
     /// What the iterations of an attempt renew whether they are slow or not.

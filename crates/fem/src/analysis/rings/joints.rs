@@ -19,7 +19,8 @@
 //! Source: Woodbury 1950.
 
 use super::layout::RingLayout;
-use crate::linalg::{Cholesky, Factor, LinalgError, Matrix, Symmetric};
+use super::order::SectionFactor;
+use crate::linalg::{Cholesky, LinalgError, Matrix, Symmetric};
 use crate::ring::Weight;
 
 /// Most joints that are open in the preconditioner: Q is dense. Levels beyond it, those with the largest open part first, stay in the mean.
@@ -93,14 +94,14 @@ impl Open {
     /// Q, with the factors of P₀; `None` without open joints.
     ///
     /// Errors: a Q that is not positive definite.
-    pub(super) fn update(&self, layout: &RingLayout, factors: &[Factor]) -> Result<Option<Update>, LinalgError> {
+    pub(super) fn update(&self, layout: &RingLayout, factors: &[SectionFactor]) -> Result<Option<Update>, LinalgError> {
         if self.joints.is_empty() {
             return Ok(None);
         }
         let mut numbers: Vec<usize> = self.joints.iter().map(|j| j.0).collect();
         numbers.sort_unstable();
         numbers.dedup();
-        let between = compliances(layout, factors, &numbers)?;
+        let between = compliances(layout, factors, &numbers);
         let (sectors, half) = (layout.ring().sectors(), layout.ring().is_half());
         let level = |pair: usize| numbers.binary_search(&pair).unwrap_or(0);
         let places: Vec<(usize, usize)> = self.joints.iter().map(|&(pair, k)| (level(pair), k)).collect();
@@ -130,7 +131,7 @@ fn triangle(i: usize, j: usize) -> usize {
 }
 
 /// c at the angles of all meridians of the circle, for the levels i ≥ j of these pairs.
-fn compliances(layout: &RingLayout, factors: &[Factor], numbers: &[usize]) -> Result<Vec<Vec<f64>>, LinalgError> {
+fn compliances(layout: &RingLayout, factors: &[SectionFactor], numbers: &[usize]) -> Vec<Vec<f64>> {
     let count = numbers.len();
     let circle = layout.circle();
     let mut by_harmonic: Vec<Vec<f64>> = Vec::with_capacity(factors.len());
@@ -141,7 +142,7 @@ fn compliances(layout: &RingLayout, factors: &[Factor], numbers: &[usize]) -> Re
             x.add(face, j, 1.0);
             x.add(wall, j, -1.0);
         }
-        factor.solve(&mut x)?;
+        factor.solve(&mut x);
         let of = |i: usize, j: usize| {
             let [face, wall] = layout.pairs()[numbers[i]].rows;
             x.get(face, j) - x.get(wall, j)
@@ -159,7 +160,7 @@ fn compliances(layout: &RingLayout, factors: &[Factor], numbers: &[usize]) -> Re
         circle.synthesise(false, Weight::Forces, &mut room, get, &mut row);
         row.clone()
     };
-    Ok((0..triangle(count, 0)).map(of).collect())
+    (0..triangle(count, 0)).map(of).collect()
 }
 
 impl Update {

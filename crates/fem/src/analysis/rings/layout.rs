@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::wide::{Wide, wide};
 use crate::analysis::{AnalysisError, failed};
 use crate::assembly::Assembler;
 use crate::dofs::Dof;
@@ -12,11 +13,12 @@ use crate::model::Model;
 use crate::ring::{Ring, RingAmplitude};
 
 /// Marks unknowns that are held and places that are left out.
-const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 /// Places whose values enter with the other sign.
 const FLIPPED: u32 = 1 << 31;
-/// Nodes further apart than this many sectors are joined by small masses only (a roof): left out of the mean.
-const REACH: usize = 2;
+/// Nodes further apart than this many sectors are joined by small masses only (a roof): left out of the mean. What is outside of a zone
+/// has them in its sections: its factor stands alone.
+pub(super) const REACH: usize = 2;
 
 /// Mean of the entries (row, column) of nodes `offset` sectors apart.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +55,7 @@ pub struct RingLayout {
     entries: Vec<Entry>,
     /// Entry of each place of the model's pattern.
     targets: Vec<u32>,
+    wide: Vec<Wide>,
     operators: Vec<Levels>,
     pairs: Vec<Pair>,
     /// Sections without and with amplitudes.
@@ -63,11 +66,30 @@ pub struct RingLayout {
     sloshing: Vec<bool>,
 }
 
+/// Unknowns of a zone, and those of them that the outside touches.
+#[derive(Clone, Copy)]
+pub(in crate::analysis) struct Without<'a> {
+    pub(in crate::analysis) inside: &'a [bool],
+    pub(in crate::analysis) touched: &'a [bool],
+}
+
 impl RingLayout {
     /// Layout of a model whose nodes lie on rings.
     ///
     /// Errors: a model without rings, unknowns that are on none.
     pub fn new(model: &Model, assembler: &Assembler) -> Result<RingLayout, AnalysisError> {
+        RingLayout::of(model, assembler, None)
+    }
+
+    /// The same of what is outside of a zone: with the unknowns that the zone touches, without entries among those of the zone.
+    ///
+    /// Errors: those of [`RingLayout::new`].
+    pub(in crate::analysis) fn of(
+        model: &Model,
+        assembler: &Assembler,
+        without: Option<Without<'_>>,
+    ) -> Result<RingLayout, AnalysisError> {
+        let apart = |e: usize| without.is_some_and(|w| w.inside[e] && !w.touched[e]);
         let missing = |found: String| {
             AnalysisError::option("elements that are not assembled", found, "a model whose nodes are named as rings")
         };
@@ -76,8 +98,8 @@ impl RingLayout {
         let (mut rows, mut odd) = (Vec::new(), Vec::new());
         let mut of = vec![(NONE, 0_u32); dofs.len()];
         for nodes in &rings.nodes {
-            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry] {
-                let number = |&n: &usize| dofs.equation(n, dof).map_or(NONE, |e| e as u32);
+            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry, Dof::Rz, Dof::Amplitude] {
+                let number = |&n: &usize| dofs.equation(n, dof).filter(|e| !apart(*e)).map_or(NONE, |e| e as u32);
                 let own: Vec<u32> = nodes.iter().map(number).collect();
                 if own.iter().all(|e| *e == NONE) {
                     continue;
@@ -86,7 +108,7 @@ impl RingLayout {
                     of[e as usize] = (rows.len() as u32, k as u32);
                 }
                 rows.push(own);
-                odd.push(matches!(dof, Dof::Uy | Dof::Ry));
+                odd.push(matches!(dof, Dof::Uy | Dof::Ry | Dof::Rz));
             }
         }
         let mut amplitudes = Vec::new();
@@ -110,16 +132,26 @@ impl RingLayout {
         }
         let slots = amplitudes.iter().map(|(_, a)| a.slot + 1).max().unwrap_or(0);
         let is_amplitude = |e: usize| amplitudes.iter().any(|(own, _)| *own == e);
-        let alone = alone(assembler.pattern(), |e| of[e].0 == NONE && !is_amplitude(e));
-        if let Some(e) = (0..dofs.len()).find(|&e| of[e].0 == NONE && !is_amplitude(e) && !alone[e]) {
+        let mut left_out = match without {
+            Some(_) => (0..dofs.len()).map(apart).collect(),
+            None => alone(assembler.pattern(), |e| of[e].0 == NONE && !is_amplitude(e)),
+        };
+        amplitudes.iter().for_each(|(e, _)| left_out[*e] = true);
+        if let Some(e) = (0..dofs.len()).find(|&e| of[e].0 == NONE && !left_out[e]) {
             let (node, dof) = dofs.unknown(e);
             return Err(missing(format!("{dof} of node {node} on no ring")));
         }
-        let (entries, targets) = average(&rings.ring, assembler.pattern(), &of, &odd);
+        let within = |i: usize, j: usize| without.is_some_and(|w| w.inside[i] && w.inside[j]);
+        let wide = match without {
+            Some(_) => wide(&rings.ring, assembler.pattern(), &of, within),
+            None => Vec::new(),
+        };
+        let apart = |i: usize, j: usize| within(i, j) || wide.iter().any(|w| w.joins(of[i].0, of[j].0));
+        let (entries, targets) = average(&rings.ring, assembler.pattern(), &of, &odd, apart);
         let wet: Vec<usize> = operators.iter().flatten().flatten().copied().collect();
         let pairs = pairs(&wet, &rows, &entries, assembler.pattern());
         let circle = Ring::new(rings.ring.sectors(), false).ok_or_else(|| missing("fewer than 3 sectors".into()))?;
-        let sections = [0, slots].map(|slots| section(rows.len(), slots, &entries, &wet));
+        let sections = [0, slots].map(|slots| section(rows.len(), slots, (&entries, &wide), &wet));
         let [plain, full] = sections;
         let symbolic =
             [plain.map_err(failed("a section of the wall"))?, full.map_err(failed("a section of the wall"))?];
@@ -136,6 +168,7 @@ impl RingLayout {
             amplitudes,
             entries,
             targets,
+            wide,
             operators,
             pairs,
             symbolic,
@@ -143,7 +176,7 @@ impl RingLayout {
         })
     }
 
-    pub(super) fn ring(&self) -> &Ring {
+    pub(in crate::analysis) fn ring(&self) -> &Ring {
         &self.ring
     }
 
@@ -173,21 +206,36 @@ impl RingLayout {
     }
 
     /// Unknowns of a meridian.
-    pub(super) fn size(&self) -> usize {
+    pub(in crate::analysis) fn size(&self) -> usize {
         self.rows.len()
     }
 
     /// Equations of an unknown of the meridian; beyond all where it is held.
-    pub(super) fn equations(&self, row: usize) -> &[u32] {
+    pub(in crate::analysis) fn equations(&self, row: usize) -> &[u32] {
         &self.rows[row]
     }
 
-    pub(super) fn is_odd(&self, row: usize) -> bool {
+    pub(in crate::analysis) fn is_odd(&self, row: usize) -> bool {
         self.odd[row]
     }
 
-    pub(super) fn amplitudes(&self) -> &[(usize, RingAmplitude)] {
+    pub(in crate::analysis) fn amplitudes(&self) -> &[(usize, RingAmplitude)] {
         &self.amplitudes
+    }
+
+    /// Rows of the levels of the operators.
+    pub(in crate::analysis) fn levels(&self) -> impl Iterator<Item = usize> {
+        self.operators.iter().flatten().flatten().copied()
+    }
+
+    /// Whether harmonic m has amplitudes.
+    pub(in crate::analysis) fn has_amplitudes(&self, m: usize) -> bool {
+        self.sloshing[m]
+    }
+
+    /// Pattern of the sections without (0) and with (1) amplitudes.
+    pub(in crate::analysis) fn pattern(&self, sloshing: usize) -> &Pattern {
+        self.symbolic[sloshing].pattern()
     }
 
     pub(super) fn symbolic(&self, m: usize) -> &Arc<Symbolic> {
@@ -195,7 +243,7 @@ impl RingLayout {
     }
 
     /// Means of all entries.
-    pub(super) fn mean(&self, sparse: &Symmetric) -> Vec<f64> {
+    pub(in crate::analysis) fn mean(&self, sparse: &Symmetric) -> Vec<f64> {
         let mut out = vec![0.0; self.entries.len()];
         for (&target, &value) in self.targets.iter().zip(&sparse.values) {
             if target != NONE {
@@ -211,14 +259,29 @@ impl RingLayout {
         out
     }
 
+    /// Hᵀ A H on its diagonal, for the rows that a roof joins: by the number of their pair, then by harmonic.
+    pub(in crate::analysis) fn wide(&self, sparse: &Symmetric) -> Vec<Vec<f64>> {
+        let odd = |wide: &Wide| [wide.row, wide.column].map(|row| self.odd[row as usize]);
+        self.wide.iter().map(|wide| wide.diagonal(&self.ring, odd(wide), sparse)).collect()
+    }
+
+    /// Adds what [`RingLayout::wide`] has found.
+    pub(in crate::analysis) fn add_wide(&self, section: &mut Symmetric, m: usize, wide: &[Vec<f64>]) {
+        for (own, values) in self.wide.iter().zip(wide) {
+            if let Some(place) = section.pattern.place(own.row as usize, own.column as usize) {
+                section.values[place] += values[m];
+            }
+        }
+    }
+
     /// Diagonal of the amplitudes.
-    pub(super) fn amplitude_diagonal(&self, sparse: &Symmetric) -> Vec<f64> {
+    pub(in crate::analysis) fn amplitude_diagonal(&self, sparse: &Symmetric) -> Vec<f64> {
         let diagonal = |&(e, _): &(usize, RingAmplitude)| sparse.values[sparse.pattern.starts[e]];
         self.amplitudes.iter().map(diagonal).collect()
     }
 
     /// The wall in harmonic m.
-    pub(super) fn section(&self, m: usize, mean: &[f64]) -> Symmetric {
+    pub(in crate::analysis) fn section(&self, m: usize, mean: &[f64]) -> Symmetric {
         let mut out = Symmetric::zeros(self.symbolic(m).pattern().clone());
         let places = &self.places[usize::from(self.sloshing[m])];
         for ((entry, &value), &place) in self.entries.iter().zip(mean).zip(places) {
@@ -236,7 +299,7 @@ impl RingLayout {
     }
 
     /// Adds `factor` times a block of an operator.
-    pub(super) fn add_block(&self, section: &mut Symmetric, operator: usize, factor: f64, block: &Matrix) {
+    pub(in crate::analysis) fn add_block(&self, section: &mut Symmetric, operator: usize, factor: f64, block: &Matrix) {
         if factor == 0.0 {
             return;
         }
@@ -259,7 +322,7 @@ impl RingLayout {
     }
 
     /// Adds the amplitudes' own diagonal, and a one where there is nothing: a harmonic with fewer modes than another.
-    pub(super) fn close(&self, section: &mut Symmetric, m: usize, amplitudes: &[f64]) {
+    pub(in crate::analysis) fn close(&self, section: &mut Symmetric, m: usize, amplitudes: &[f64]) {
         let pattern = section.pattern.clone();
         for ((_, a), c) in self.amplitudes.iter().zip(amplitudes) {
             if a.harmonic == m && a.family == 0 {
@@ -288,7 +351,15 @@ fn alone(pattern: &Pattern, apart: impl Fn(usize) -> bool) -> Vec<bool> {
 }
 
 /// Entries of the mean, and the entry of each place of a matrix.
-fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (Vec<Entry>, Vec<u32>) {
+///
+/// * `without`: places, by row and column, that have none
+fn average(
+    ring: &Ring,
+    pattern: &Pattern,
+    of: &[(u32, u32)],
+    odd: &[bool],
+    without: impl Fn(usize, usize) -> bool,
+) -> (Vec<Entry>, Vec<u32>) {
     let sectors = ring.sectors();
     let mut entries: Vec<Entry> = Vec::new();
     let mut numbers: HashMap<(u32, u32, usize), u32> = HashMap::new();
@@ -297,7 +368,7 @@ fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (
     for j in 0..pattern.size() {
         for p in pattern.starts[j]..pattern.starts[j + 1] {
             let (mut low, mut high) = (of[j], of[pattern.rows[p]]);
-            if low.0 == NONE || high.0 == NONE {
+            if low.0 == NONE || high.0 == NONE || without(pattern.rows[p], j) {
                 continue;
             }
             if low.0 > high.0 {
@@ -351,10 +422,11 @@ fn pairs(faces: &[usize], rows: &[Vec<u32>], entries: &[Entry], pattern: &Patter
 fn section(
     size: usize,
     slots: usize,
-    entries: &[Entry],
+    (entries, wide): (&[Entry], &[Wide]),
     wet: &[usize],
 ) -> Result<Arc<Symbolic>, crate::linalg::LinalgError> {
-    let mut cliques: Vec<Vec<usize>> = entries.iter().map(|e| vec![e.row, e.column]).collect();
+    let wide = wide.iter().map(|w| vec![w.row as usize, w.column as usize]);
+    let mut cliques: Vec<Vec<usize>> = entries.iter().map(|e| vec![e.row, e.column]).chain(wide).collect();
     cliques.iter_mut().for_each(|c| c.dedup());
     let joined: Vec<usize> = wet.iter().copied().chain(size..size + slots).collect();
     let mut is_joined = vec![false; size + slots];

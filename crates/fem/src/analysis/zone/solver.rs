@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use super::{NONE, Zone};
+use super::{NONE, Outside, Zone};
 use crate::linalg::{Fronts, Keep, LinalgError, Symmetric};
 
 /// Factors of a matrix with a zone.
 pub struct ZoneSolver {
     zone: Arc<Zone>,
-    /// E and B, then their factor.
-    outer: Symmetric,
-    outside: Fronts,
+    /// Factor of E, or of its sections, with B.
+    outside: Vec<Fronts>,
     /// S without the elements of the zone, and C.
     rest: Vec<f64>,
     matrix: Symmetric,
@@ -25,8 +24,10 @@ impl ZoneSolver {
     pub fn new(zone: &Arc<Zone>, keep: Keep, threads: usize) -> Result<ZoneSolver, LinalgError> {
         let inner = &zone.inner;
         Ok(ZoneSolver {
-            outer: Symmetric::zeros(zone.outer.clone()),
-            outside: Fronts::new(&zone.outer, zone.sizes[0], keep)?,
+            outside: match &zone.outside {
+                Outside::Dissected(own) => vec![Fronts::new(&own.pattern, own.size, keep)?],
+                Outside::Harmonic(own) => own.fronts(keep)?,
+            },
             rest: vec![0.0; inner.places()],
             matrix: Symmetric::zeros(inner.clone()),
             inside: Fronts::new(inner, inner.size(), keep)?,
@@ -35,11 +36,16 @@ impl ZoneSolver {
         })
     }
 
+    /// Whether the outside is its mean over all turns: a solution then guides an iteration.
+    pub fn is_mean(&self) -> bool {
+        matches!(self.zone.outside, Outside::Harmonic(_))
+    }
+
     /// Keeps the next factor of the zone, and with `outside` that of the outside, in this precision.
     pub fn keep_as(&mut self, keep: Keep, outside: bool) {
         self.inside.keep_as(keep);
         if outside {
-            self.outside.keep_as(keep);
+            self.outside.iter_mut().for_each(|own| own.keep_as(keep));
         }
     }
 
@@ -61,20 +67,18 @@ impl ZoneSolver {
     /// Errors: a zero pivot, not enough memory; the solver must not be used then.
     pub fn renew_outside(&mut self, base: &Symmetric, shares: &[[f64; 2]]) -> Result<(), LinalgError> {
         let zone = self.zone.clone();
-        let outer = &mut self.outer.values;
-        outer.fill(0.0);
         self.rest.fill(0.0);
-        for &[from, to] in &zone.outer_places {
-            outer[to as usize] = base.values[from as usize];
-        }
         for &[from, to] in &zone.inner_places {
             self.rest[to as usize] = base.values[from as usize];
         }
-        for (dense, share) in zone.operators.iter().zip(shares) {
-            dense.outer.add(*share, outer);
-            dense.inner.add(*share, &mut self.rest);
-        }
-        let c = self.outside.factor(&self.outer, self.threads)?;
+        let c = match &zone.outside {
+            Outside::Dissected(own) => {
+                let mut outer = Symmetric::zeros(own.pattern.clone());
+                own.places.iter().for_each(|&[from, to]| outer.values[to as usize] = base.values[from as usize]);
+                self.outside[0].factor(&outer, self.threads)?
+            }
+            Outside::Harmonic(own) => own.factor(base, shares, &mut self.outside, self.threads)?,
+        };
         let mut places = zone.border.iter();
         for b in 0..c.cols {
             for (value, &p) in c.column(b)[b..].iter().zip(places.by_ref()) {
@@ -101,28 +105,49 @@ impl ZoneSolver {
     /// x = A⁻¹ b, as exact as the factors are kept.
     pub fn solve(&self, b: &[f64], x: &mut Vec<f64>) {
         let zone = &*self.zone;
-        let [outside, size] = zone.sizes;
-        let (mut outer, mut inner) = (vec![0.0; zone.outer.size()], vec![0.0; size]);
-        for ((&o, &i), b) in zone.outer_of.iter().zip(&zone.inner_of).zip(b) {
-            match i {
-                NONE => outer[o as usize] = *b,
-                i => inner[i as usize] = *b,
+        let mut inner = vec![0.0; zone.inner.size()];
+        for (&i, b) in zone.inner_of.iter().zip(b).filter(|(i, _)| **i != NONE) {
+            inner[i as usize] = *b;
+        }
+        x.clear();
+        x.resize(b.len(), 0.0);
+        let mut seam = vec![0.0; zone.touched.len()];
+        match &zone.outside {
+            Outside::Dissected(own) => {
+                let fronts = &self.outside[0];
+                let mut outer = vec![0.0; own.pattern.size()];
+                for (&o, b) in own.of[..].iter().zip(b).filter(|(o, _)| (**o as usize) < own.size) {
+                    outer[o as usize] = *b;
+                }
+                fronts.forward(&mut outer, self.threads);
+                seam.copy_from_slice(&outer[own.size..]);
+                self.within(&mut inner, &mut seam);
+                outer[own.size..].copy_from_slice(&seam);
+                fronts.backward(&mut outer, self.threads);
+                for (&o, x) in own.of.iter().zip(&mut *x).filter(|(o, _)| (**o as usize) < own.size) {
+                    *x = outer[o as usize];
+                }
+            }
+            Outside::Harmonic(own) => {
+                let columns = own.forward(&self.outside, b, &mut seam, self.threads);
+                self.within(&mut inner, &mut seam);
+                own.backward(&self.outside, columns, &seam, x, self.threads);
             }
         }
-        self.outside.forward(&mut outer, self.threads);
-        for (&at, left) in zone.touched.iter().zip(&outer[outside..]) {
+        for (&i, x) in zone.inner_of.iter().zip(x).filter(|(i, _)| **i != NONE) {
+            *x = inner[i as usize];
+        }
+    }
+
+    /// Solves for the zone, with what the outside has left on its seam; returns the displacements there.
+    fn within(&self, inner: &mut [f64], seam: &mut [f64]) {
+        for (&at, left) in self.zone.touched.iter().zip(&*seam) {
             inner[at as usize] += left;
         }
-        self.inside.forward(&mut inner, self.threads);
-        self.inside.backward(&mut inner, self.threads);
-        for (&at, x) in zone.touched.iter().zip(&mut outer[outside..]) {
+        self.inside.forward(inner, self.threads);
+        self.inside.backward(inner, self.threads);
+        for (&at, x) in self.zone.touched.iter().zip(seam) {
             *x = inner[at as usize];
         }
-        self.outside.backward(&mut outer, self.threads);
-        x.clear();
-        x.extend(zone.outer_of.iter().zip(&zone.inner_of).map(|(&o, &i)| match i {
-            NONE => outer[o as usize],
-            i => inner[i as usize],
-        }));
     }
 }
