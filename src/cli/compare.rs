@@ -368,11 +368,12 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         job.solid.snapshot_inside = args.vtu.is_some();
         job.solid.snapshot_close = args.vtu.is_none() && args.vtu_every.is_none();
     }
-    // After the interval, which is part of what a checkpoint is of.
+    let chain = args.solid.apply_to_strip(job);
+    // After the interval and the liquid, which are part of what a checkpoint is of.
     args.nonlinear.apply(job, &args.out)?;
     if job.engines.contains(&EngineId::Solid) {
         args.solid.apply(job);
-    } else if let Some(option) = args.solid.given() {
+    } else if let Some(option) = args.solid.given().filter(|option| !(chain && *option == "--liquid")) {
         return Err(Error::conflict(format!(
             "{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"
         )));

@@ -3,6 +3,8 @@
 use crate::input::tank::solid_defaults;
 use crate::job::Job;
 use engines::solid::{Liquid, MeshSize, SolidOptions};
+use results::{EngineId, InputValue};
+use tank::options::nonlinear::LiquidForm;
 
 /// Options of the three-dimensional engine.
 #[derive(clap::Args, Clone, Debug)]
@@ -11,7 +13,8 @@ pub(crate) struct SolidArgs {
     /// [default: by the size of the tank].
     #[arg(long, value_name = "RxSxV", allow_hyphen_values = true)]
     mesh: Option<MeshSize>,
-    /// Liquid: of the three-dimensional engine potential or displacement [default: potential, or as in the tank file]; of the default engine
+    /// Liquid: of the three-dimensional engine potential or displacement [default: potential, or as in the tank file]; of a strip with
+    /// --fe nonlinear displacement [default: condensed, or as in the tank file]; of the default engine
     /// nonlinear [default: linear, or as in the tank file]. A nonlinear run stands beside linear waves that are not small in any case.
     #[arg(long, value_enum)]
     liquid: Option<LiquidArg>,
@@ -55,6 +58,23 @@ impl SolidArgs {
             Some(LiquidArg::Nonlinear) | None => {}
         }
         options
+    }
+
+    /// Applies a displacement liquid to the nonlinear engine, if it runs, with its echo; whether it did.
+    pub(crate) fn apply_to_strip(&self, job: &mut Job) -> bool {
+        let chain = self.liquid == Some(LiquidArg::Displacement) && job.engines.contains(&EngineId::Nonlinear);
+        if chain {
+            job.nonlinear.liquid = LiquidForm::Displacement;
+            let path = "analysis.nonlinear.liquid";
+            job.echo.retain(|e| e.path != path);
+            job.echo.push(InputValue {
+                path: path.into(),
+                text: "displacement".into(),
+                default: false,
+                source: "--liquid".into(),
+            });
+        }
+        chain
     }
 
     /// Applies these options to the job and echoes the resulting values.

@@ -14,7 +14,9 @@
 //! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
 //! the caller puts into the law, E/(1 − ν²).
 //!
-//! Where the joint may open ([`Contact`]) the liquid's face has its own displacement and carries the pressure at rest; joints
+//! With a [`LiquidMesh`] the liquid is a mesh of displacement elements instead, joined by contact elements to both walls in one model ([`chain`]).
+//!
+//! Where the joint of a condensed liquid may open ([`Contact`]) the liquid's face has its own displacement and carries the pressure at rest; joints
 //! ([`fem::element::liquid_joint`]) stand between the two.
 //!
 //! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
@@ -26,6 +28,7 @@
 //! `Strip` is such a model made from a case with its record: `simulate` runs it once, `Strip::incremental` at rising scales.
 
 mod case;
+mod chain;
 mod contact;
 mod curve;
 mod demand;
@@ -39,6 +42,7 @@ mod modes;
 mod parameters;
 mod parts;
 mod pictures;
+mod placed;
 mod report;
 mod run;
 pub(crate) mod section;
@@ -51,12 +55,14 @@ mod walls;
 #[cfg(test)]
 mod tests;
 
+pub use chain::{Chain, WetLevel};
 pub use contact::{Joints, Touch};
 pub use demand::Demand;
 pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory, WallState};
 pub use model::{BaseReaction, StripModel};
-pub use parameters::{Contact, LARGEST_DEFLECTION, StripError, StripTank, levels};
+pub use parameters::{Contact, LARGEST_DEFLECTION, LiquidMesh, StripError, StripTank, levels};
 pub use parts::StripDamping;
+pub use placed::PlacedWall;
 pub use results::channel::Side;
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
 pub use shell_wall::{ShellRow, ShellWall};

@@ -98,6 +98,11 @@ impl Builder {
         self.elements.len() - 1
     }
 
+    /// Numbers of nodes and elements so far.
+    pub fn counts(&self) -> [usize; 2] {
+        [self.nodes.len(), self.elements.len()]
+    }
+
     /// Holds a dof of a node at zero.
     pub fn hold(&mut self, node: usize, dof: Dof) {
         self.held[node][dof.index()] = true;

@@ -2,20 +2,22 @@
 //!
 //! The record is a table of time and acceleration [m/s²] at 0.02 s. Names: `elements`, `layers`, `softening`, `step`, `until`,
 //! `radius` (ρ_∞), `points` (2, 3 Gauss; 0 Lobatto), `damping` (0 mass-proportional, 1 by group, 2 Rayleigh at two modes),
-//! `ratio`, `threads`. The linear response
+//! `ratio`, `threads`; `columns` (elements of a displacement liquid from wall to wall), `opening`, `place` (1: joints open by the pressure at their
+//! place), `rotation` (K_rot), `tangential`, `shells`, `elastic` (1: concrete that does not crack). The linear response
 //! is `cargo run --release -p verification -- C11 --records FOLDER`.
 
 use std::error::Error;
 use std::time::Instant;
 
-use engines::strip::{StripDamping, StripModel, StripQuake};
+use engines::strip::{Contact, LiquidMesh, StripDamping, StripModel, StripQuake};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::Outcome;
+use fem::analysis::newton::Options as Newton;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam::{Options, Points};
 use fem::progress::Silent;
 use oscillator::record::Record;
-use verification::strip::reinforced_tank;
+use verification::strip::{elastic_tank, reinforced_tank, with_cracking_shells};
 
 fn record(path: &str) -> Result<Record, Box<dyn Error>> {
     let text = std::fs::read_to_string(path)?;
@@ -51,12 +53,31 @@ fn main() -> Result<(), Box<dyn Error>> {
     if scales.is_empty() {
         return Err("no scale given".into());
     }
-    let tank = reinforced_tank(
+    let mut tank = reinforced_tank(
         get("elements", 15.0) as usize,
         get("layers", 30.0) as usize,
         get("softening", 3e-4),
         Options { points, second_order: false },
     )?;
+    if get("elastic", 0.0) > 0.0 {
+        tank = elastic_tank(get("elements", 15.0) as usize, tank.options)?;
+    }
+    if get("shells", 0.0) > 0.0 {
+        tank = with_cracking_shells(tank, get("layers", 30.0) as usize, get("softening", 3e-4))?;
+    }
+    let columns = get("columns", 0.0) as usize;
+    let given = |name: &str| Some(get(name, 0.0)).filter(|v| *v > 0.0);
+    if columns > 0 {
+        tank.mesh = Some(LiquidMesh {
+            rotation_penalty: given("rotation"),
+            tangential: get("tangential", 0.0),
+            at_place: get("place", 0.0) > 0.0,
+            ..LiquidMesh::new(columns, 2.06e9)
+        });
+    }
+    if get("opening", 0.0) > 0.0 {
+        tank.contact = Contact::Joined { opens: true, penalty: given("penalty") };
+    }
     let strip = StripModel::new(&tank, damping)?;
     println!(
         "{} unknowns, wall mode {:.2} rad/s, damping {:.3} %",
@@ -66,6 +87,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let mut quake = StripQuake::new(record, get("step", 2.5e-3));
     quake.until = Some(get("until", 12.0));
+    if get("opening", 0.0) > 0.0 {
+        quake.newton = Newton::for_contact();
+    }
     quake.scheme = TimeScheme::GeneralizedAlpha { radius: get("radius", 0.9) };
     let scales: Vec<f64> = scales.iter().map(|s| s.parse::<f64>().map(|s| s / 100.0)).collect::<Result<_, _>>()?;
     println!(

@@ -55,6 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         liquid: StripLiquid::new(2.5, 2.57, 1019.4),
         sloshing: 12,
         contact: if opening { Contact::Joined { opens: true, penalty: None } } else { Contact::Bonded },
+        mesh: None,
     };
     let damping = match get("damping", 0.0) > 0.0 {
         true => StripDamping::ByGroup { wall: get("ratio", 0.05), sloshing: 0.005 },

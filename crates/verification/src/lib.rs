@@ -124,6 +124,7 @@ pub const ALL: &[&Benchmark] = &[
     &dynamics::four_methods::BENCHMARK,
     &strip::at_rest::BENCHMARK,
     &strip::section::BENCHMARK,
+    &strip::chain::BENCHMARK,
     &strip::shells::BENCHMARK,
     &shell::tank_locking::BENCHMARK,
     &shell::tank_grading::BENCHMARK,

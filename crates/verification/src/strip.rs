@@ -6,6 +6,7 @@
 //! | section | cracking and yield moment of the base | beam theory |
 //! | C11 | linear response under different dampings | independent prototype, table 8.14 |
 //! | C8 | contact that opens, in the march of nonlinear walls | Moreau's scheme on the same matrices |
+//! | C15 | liquid of displacement elements between both walls | the condensed liquid |
 //! | C14 | walls of layered shells in time | the same strip of fibres |
 //! | C12 | incremental dynamic analysis | independent prototype, table 8.16 |
 //!
@@ -17,6 +18,7 @@ use std::sync::Arc;
 use materials::elastic::Elastic;
 use materials::{Law, LawError};
 
+use crate::Failure;
 use engines::strip::liquid::StripLiquid;
 use engines::strip::{Contact, StripError, StripTank, levels};
 use fem::element::ElementError;
@@ -24,6 +26,7 @@ use fem::element::beam_section::FibreSection;
 use fem::element::fibre_beam::Options;
 
 pub(crate) mod at_rest;
+pub(crate) mod chain;
 pub(crate) mod contact;
 pub(crate) mod incremental;
 pub(crate) mod linear_response;
@@ -67,7 +70,15 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
         liquid: StripLiquid { gravity: G, ..StripLiquid::new(HALF_WIDTH, DEPTH, 1e4 / G) },
         sloshing: SLOSHING,
         contact: Contact::Bonded,
+        mesh: None,
     })
+}
+
+/// The tank with elastic walls without bars and `elements` wet elements.
+///
+/// Errors: parameters out of range.
+pub fn elastic_tank(elements: usize, options: Options) -> Result<StripTank, StripError> {
+    tank(elastic_section()?, elements, 1.0, options)
 }
 
 /// The tank with the reinforced walls of the dissertation: `elements` wet elements and `layers` of concrete that softens over
@@ -81,6 +92,13 @@ pub fn reinforced_tank(
     options: Options,
 ) -> Result<StripTank, StripError> {
     tank(section::reinforced(layers, softening)?, elements, 1.0, options)
+}
+
+/// The same with walls of liner, layer and cracking concrete as layered shells.
+///
+/// Errors: parameters out of range.
+pub fn with_cracking_shells(tank: StripTank, layers: usize, softening: f64) -> Result<StripTank, Failure> {
+    shells::of_shells(tank, shells::Wall::Cracking, layers, softening)
 }
 
 /// A wall of one law, without bars, in `layers` layers.

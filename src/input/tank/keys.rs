@@ -102,6 +102,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     let imperfect = imperfections::imperfections(&mut r, analysis.map(|a| &a.imperfections), tank.as_ref(), folder);
     solid.imperfections.clone_from(&imperfect);
     nonlinear.imperfections = imperfect;
+    nonlinear.rotation_penalty = solid.rotation_penalty;
     solid.initial_stress = analysis.and_then(|a| r.optional(&a.initial_stress));
     let measured = reported::measured(&mut r, &file.measured);
     let published = reported::published(&mut r, &file.published);

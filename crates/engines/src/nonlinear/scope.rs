@@ -17,7 +17,7 @@ use super::cylinder::two;
 use super::laws::uniaxial_concrete;
 use crate::strip::section as fibres;
 use crate::{FeError, out_of_round, strip};
-use tank::options::nonlinear::{NonlinearOptions, StripWall, WallElements};
+use tank::options::nonlinear::{LiquidForm, NonlinearOptions, StripWall, WallElements};
 
 /// Help on default elements.
 const OWN: &str = "the engine chose them: set analysis.nonlinear.elements";
@@ -47,6 +47,14 @@ fn refusal(place: Place, error: FeError) -> Refusal {
 pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Vec<Refusal> {
     let mut all = Vec::new();
     match (case.tank.shape, purpose) {
+        (Shape::Cylinder { .. }, Purpose::History) if options.liquid == LiquidForm::Displacement => all.push(
+            Refusal::new(
+                Place::Shape,
+                "the nonlinear engine has a displacement liquid between the walls of a strip; that of a cylinder is condensed onto its wall",
+                "\"rectangle\" with \"strip\": true",
+            )
+            .help("remove --liquid displacement, or use --fe solid"),
+        ),
         (Shape::Cylinder { radius }, Purpose::History) => cylinder(case, options, radius, true, &mut all),
         (Shape::Cylinder { radius }, Purpose::Pushover) => {
             if case.tank.support == Support::Unanchored

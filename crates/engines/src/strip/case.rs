@@ -11,7 +11,7 @@ use tank::Shape;
 use super::describe::{assumptions, damping, facts};
 use super::liquid::StripLiquid;
 use super::model::StripModel;
-use super::parameters::{self, StripTank};
+use super::parameters::{self, LiquidMesh, StripTank};
 use super::run::StripQuake;
 use super::section::{course_at, levels, section};
 use super::shells;
@@ -19,7 +19,7 @@ use crate::FeError;
 use crate::nonlinear::after_record::Span;
 use crate::nonlinear::laws::unsupported;
 use results::Fact;
-use tank::options::nonlinear::{Contact, NonlinearOptions, StripWall};
+use tank::options::nonlinear::{Contact, LiquidForm, NonlinearOptions, StripWall};
 
 /// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
 const SLOSHING_MODES: usize = 12;
@@ -27,6 +27,23 @@ const SLOSHING_MODES: usize = 12;
 pub(crate) const ELEMENTS: u32 = 40;
 /// Steps of the time integration in a period of the first mode of wall and liquid.
 pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
+
+/// Elements of a displacement liquid; without a number of them over half the length as long as the rows next to them are high.
+fn mesh(case: &Case, options: &NonlinearOptions) -> Option<LiquidMesh> {
+    if options.liquid == LiquidForm::Condensed {
+        return None;
+    }
+    let Shape::Rectangle { length, .. } = case.tank.shape else { return None };
+    let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
+    let wet = levels.iter().filter(|z| **z < case.liquid.fill_height * (1.0 - 1e-9)).count().max(1);
+    let square = (0.5 * length * wet as f64 / case.liquid.fill_height).round().max(1.0) as usize;
+    let half = options.liquid_elements.map_or(square, |n| n as usize);
+    Some(LiquidMesh {
+        rotation_penalty: options.rotation_penalty,
+        tangential: options.contact_tangential,
+        ..LiquidMesh::new(2 * half, case.liquid.compression_modulus())
+    })
+}
 
 /// A strip with its ground motion.
 pub(crate) struct Strip {
@@ -90,6 +107,7 @@ impl Strip {
                 Contact::Bonded => parameters::Contact::Bonded,
                 Contact::Opening => parameters::Contact::Joined { opens: true, penalty: None },
             },
+            mesh: mesh(case, options),
         };
         let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?)?;
         if !options.self_weight {

@@ -111,7 +111,7 @@ impl Strip {
             hysteretic_energy: a.hysteretic.max(b.hysteretic),
             wall_damping: self.model.wall_ratio(),
             halvings: level.halvings(),
-            steps: a.steps + b.steps,
+            steps: level.walls[..self.model.marches()].iter().map(|w| w.steps).sum(),
             energy_residual: level.imbalance(),
         }
     }

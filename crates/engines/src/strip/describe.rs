@@ -2,8 +2,9 @@
 
 use fem::analysis::damping::Rayleigh;
 use tank::Case;
-use tank::units::Dimension;
+use tank::units::{Dimension, display, significant};
 
+use super::chain::Chain;
 use super::liquid::StripLiquid;
 use super::model::StripModel;
 use super::parameters::StripTank;
@@ -12,7 +13,7 @@ use crate::FeError;
 use crate::fittings;
 use crate::nonlinear::after_record::Span;
 use results::{Fact, FactKind};
-use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions, StripWall};
+use tank::options::nonlinear::{Contact, Damping, LiquidForm, MassProportionalAt, NonlinearOptions, StripWall};
 
 /// Damping of the strip.
 ///
@@ -41,6 +42,33 @@ pub(super) fn points(tank: &StripTank) -> usize {
         None => tank.sections.iter().map(|s| s.fibre_count()).max(),
     };
     most.unwrap_or(0)
+}
+
+/// The liquid in words.
+pub(super) fn liquid(model: &StripModel) -> String {
+    let (Some(mesh), Some(chain)) = (&model.tank.mesh, &model.chain) else {
+        return format!("condensed onto the wall in closed form, {} sloshing modes", model.tank.sloshing);
+    };
+    let rows = chain.heights.len() - 1;
+    let rotation = match mesh.rotation_penalty {
+        None => "mean dilatation and split rotation penalty".to_owned(),
+        Some(k) => format!("volume part at one point and rotation penalty {}", display(k, Dimension::Stress)),
+    };
+    format!("{} displacement elements between the walls, {} × {rows}; {rotation}", mesh.columns * rows, mesh.columns)
+}
+
+/// The joints between elements of the liquid and the walls in words.
+pub(super) fn contact(chain: &Chain, tank: &StripTank) -> String {
+    let tangential = tank.mesh.map_or(0.0, |mesh| mesh.tangential);
+    let along = match tangential {
+        0.0 => "free along the wall".to_owned(),
+        k => format!("{} N/m³ along the wall", significant(k, 3)),
+    };
+    let opens = match chain.opens {
+        false => "bonded",
+        true => "opens, partly closed faces clipped",
+    };
+    format!("{opens}; contact elements of stiffness {} N/m³, {along}", significant(chain.penalty, 3))
 }
 
 /// The model in numbers.
@@ -77,12 +105,21 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
             }
         }
         .to_owned(),
-        match options.contact {
-            Contact::Bonded => {
+        match (options.contact, options.liquid) {
+            (Contact::Bonded, LiquidForm::Displacement) => {
+                "Liquid of displacement elements between both walls, joined to them by contact elements and bonded; both walls and the \
+                 liquid are one model and one run. Modes are those of the condensed liquid."
+            }
+            (Contact::Opening, LiquidForm::Displacement) => {
+                "Liquid of displacement elements between both walls, joined to them by contact elements that transfer pressure only: \
+                 the liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls and \
+                 the liquid are one model and one run. Modes are those of the condensed liquid."
+            }
+            (Contact::Bonded, _) => {
                 "Liquid of linear potential theory, condensed onto the wall and bonded to it. Both walls are run: with the \
                  record and with the reversed record."
             }
-            Contact::Opening => {
+            (Contact::Opening, _) => {
                 "Liquid of linear potential theory, condensed onto a separate face; the contact transfers pressure only: the \
                  liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls are \
                  run: with the record and with the reversed record."
@@ -98,6 +135,13 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
             super::LARGEST_DEFLECTION
         ),
     ];
+    if options.liquid == LiquidForm::Displacement && matches!(options.damping, Damping::ByGroup { .. }) {
+        out.push(
+            "Damping of the liquid is proportional to its mass: the ratio is that of the first sloshing mode, and falls with the \
+             frequency."
+                .into(),
+        );
+    }
     out.extend(fittings::assumptions(&case.tank, true));
     if case.tank.courses.iter().any(|c| c.layers.len() > 1) {
         out.push(

@@ -144,8 +144,8 @@ pub struct WallState {
     pub time: f64,
     /// Displacement of the levels along x and upwards, from the wall without load [m].
     pub displacement: Vec<[f64; 2]>,
-    /// Elevation of each sloshing mode at the wall [m].
-    pub waves: Vec<f64>,
+    /// Elevation of the surface at the lines of a picture, from the middle to the wall [m].
+    pub surface: Vec<f64>,
     /// Opening strain of the widest crack that is open, of every element.
     pub cracks: Vec<f64>,
 }

@@ -127,7 +127,7 @@ impl Walls<'_> {
 
     /// Gap between liquid and wall where it may open; else the lowest pressure at the wall.
     fn separation_map(&self) -> CellMap {
-        if self.model.joints.is_some() {
+        if self.runs[0].history.openings.is_some() {
             return map(
                 "separation",
                 "largest gap between liquid and wall",

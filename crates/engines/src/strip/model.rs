@@ -8,19 +8,20 @@ use fem::analysis::observable::{Observable, apply};
 use fem::analysis::system::System;
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
-use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::{Inspect, Response, Trial, Want, local_size};
 use fem::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
+use results::channel::Side;
 
+use super::chain::{self, Chain};
 use super::contact::{self, Joints};
 use super::liquid::WallLiquid;
 use super::parameters::{Contact, StripError, StripTank};
 use super::parts::{
     BASE, StripDamping, base_rows, check, coefficients, dofs_of, first_wall_mode, liquid_element, wall_forces,
 };
-use super::shells::{self, Nodes};
+use super::placed::{PlacedWall, WALL};
 
 /// Reaction of the ground on the base of a wall along x and z and about y [N/m, N/m, N], by origin. The parts add up
 /// to the reaction; only the first is limited by the strength of the section.
@@ -61,50 +62,30 @@ pub struct StripModel {
     pub ratios: Vec<RatioRow>,
     /// Nodal forces of the wall's weight.
     pub weight: Vec<f64>,
-    /// Nodal forces of the pressure at rest.
+    /// Nodal forces of the pressure at rest; of elements of the liquid, their weight.
     pub pressure: Vec<f64>,
-    /// Nodes of the wall upwards; of shells one a level, on the leaf that bends.
-    pub wall: Vec<usize>,
-    /// Nodes at the base of wall and liquid.
-    feet: Vec<usize>,
-    /// Nodes of the liquid's face upwards, one a level: the wall's own with the unknowns of the trace, or, where the two are joined, others with Ux alone.
+    /// The wall, to which the condensed liquid of the antisymmetric motion belongs; both walls of a [`Chain`].
+    pub walls: Vec<PlacedWall>,
+    /// The liquid of elements between both walls, in place of the condensed one.
+    pub chain: Option<Chain>,
+    /// Nodes of the condensed liquid's face upwards, one a level: the wall's own with the unknowns of the trace, or, where the two are joined, others
+    /// with Ux alone.
     pub face: Vec<usize>,
     /// Joints between them.
     pub joints: Option<Joints>,
-    /// The liquid on the wall.
+    /// The condensed liquid on the wall.
     pub liquid: WallLiquid,
     /// Parameters.
     pub tank: StripTank,
     /// Equations of the sloshing amplitudes.
     pub amplitudes: Vec<usize>,
-    /// Reactions of the linear strip at the base, along [`BASE`].
-    base: [Observable; 3],
 }
 
-/// Group of the beams.
-const WALL: &str = "wall";
 /// Group of the liquid.
-const LIQUID: &str = "liquid";
-
-/// Adds the masses that the wall carries, each to the two levels next to it in the shares that hold its moment.
-///
-/// Errors: a negative mass.
-fn carry(builder: &mut Builder, tank: &StripTank, leaf: &[Vec<usize>]) -> Result<(), StripError> {
-    for &(mass, height) in &tank.carried {
-        let upper = tank.levels.partition_point(|z| *z < height).clamp(1, leaf.len() - 1);
-        let (below, above) = (tank.levels[upper - 1], tank.levels[upper]);
-        let share = (height - below) / (above - below);
-        for (level, part) in [(upper - 1, 1.0 - share), (upper, share)].into_iter().filter(|(_, part)| *part != 0.0) {
-            for &node in &leaf[level] {
-                builder.element(WALL, PointMass::new(node, mass * part / leaf[level].len() as f64)?);
-            }
-        }
-    }
-    Ok(())
-}
+pub(super) const LIQUID: &str = "liquid";
 
 /// Rayleigh's coefficients of every group: those of the wall, and of the rest.
-fn by_group(model: &Model, [wall, rest]: [Rayleigh; 2]) -> Vec<Rayleigh> {
+pub(super) fn by_group(model: &Model, [wall, rest]: [Rayleigh; 2]) -> Vec<Rayleigh> {
     let of = |name: &String| match name.as_str() {
         // A joint that is open must not pull by its rate either.
         contact::JOINT => Rayleigh::NONE,
@@ -116,12 +97,19 @@ fn by_group(model: &Model, [wall, rest]: [Rayleigh; 2]) -> Vec<Rayleigh> {
 
 impl StripModel {
     /// Errors: parameters out of range, those of elements, model and eigenvalue solver.
-    // Long: the order in which parts join the builder numbers the unknowns; the rest fills a struct of 14 fields.
     pub fn new(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
         check(tank, damping)?;
+        match &tank.mesh {
+            Some(mesh) => chain::model(tank, mesh, damping),
+            None => StripModel::condensed(tank, damping),
+        }
+    }
+
+    // Long: the order in which parts join the builder numbers the unknowns; the rest fills a struct of 14 fields.
+    fn condensed(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
         let mut builder = Builder::new();
-        let Nodes { axis: wall, wet, leaf, mut feet } = shells::place(&mut builder, tank, WALL)?;
-        carry(&mut builder, tank, &leaf)?;
+        let mut wall = PlacedWall::add_to(&mut builder, tank, 1.0)?;
+        let wet = &wall.wet;
         let amplitude_nodes: Vec<usize> =
             (0..tank.sloshing).map(|_| builder.node([0.0, 0.0, tank.liquid.depth])).collect();
         let touched: Vec<Vec<usize>> = match tank.contact {
@@ -140,18 +128,10 @@ impl StripModel {
                     Some(given) => given,
                     None => contact::penalty(tank)?,
                 };
-                Some(Joints::add_to(&mut builder, tank, &wet, [&face, &amplitude_nodes], penalty, opens)?)
+                Some(Joints::add_to(&mut builder, tank, wet, [&face, &amplitude_nodes], penalty, opens)?)
             }
         };
-        match tank.base_spring {
-            Some(stiffness) => {
-                builder.hold(wall[0], Dof::Rx);
-                builder.hold(wall[0], Dof::Rz);
-                let about_y = Direction::Rotation([0.0, 1.0, 0.0]);
-                builder.element("base", Spring::to_ground(wall[0], about_y, stiffness)?);
-            }
-            None => builder.hold(wall[0], Dof::Ry),
-        }
+        wall.stand(&mut builder, tank)?;
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
         let symbolic = Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree);
@@ -168,8 +148,9 @@ impl StripModel {
             _ => Damping::by_group(&assembler, &model, &groups, false)?,
         };
         let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
-        feet.push(face[0]);
-        let base = base_rows(&model, &feet, tank, &groups)?;
+        wall.feet.push(face[0]);
+        wall.base = base_rows(&model, &wall.feet, tank, &groups)?;
+        wall.carried = wall.base.each_ref().map(|row| row.total_ground(&system.influence));
         let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
         let pressure = wall_forces(&model, &touched, dofs_of(trace), &liquid.hydrostatic);
         Ok(StripModel {
@@ -182,20 +163,34 @@ impl StripModel {
             ratios,
             weight,
             pressure,
-            wall,
-            feet,
+            walls: vec![wall],
+            chain: None,
             face,
             joints,
             liquid,
             tank: tank.clone(),
             amplitudes,
-            base,
         })
     }
 
-    /// Equation of the top of the wall along x.
-    pub fn top(&self) -> usize {
-        let node = self.wall[self.wall.len() - 1];
+    /// Marches that both walls take: one through the same record with either sign for each, one where both stand in the model.
+    pub fn marches(&self) -> usize {
+        3 - self.walls.len()
+    }
+
+    /// The wall of a side, which in a model of one wall is that wall.
+    pub fn wall(&self, side: Side) -> &PlacedWall {
+        self.walls.get(side as usize).unwrap_or(&self.walls[0])
+    }
+
+    /// The strip with the condensed liquid, of which the modes are.
+    pub fn closed(&self) -> &StripModel {
+        self.chain.as_ref().map_or(self, |chain| &chain.closed)
+    }
+
+    /// Equation of the top of a wall along x.
+    pub fn top(&self, wall: &PlacedWall) -> usize {
+        let node = wall.nodes[wall.nodes.len() - 1];
         self.model.dofs().equation(node, Dof::Ux).expect("the top is free")
     }
 
@@ -213,6 +208,15 @@ impl StripModel {
         &self.tank.levels[..self.face.len()]
     }
 
+    /// Mass of the condensed liquid on a wall in a translation [kg/m].
+    pub(super) fn condensed_mass(&self) -> f64 {
+        let each = self.tank.trace().unknowns();
+        let (wall, size) = (each * self.face.len(), self.liquid.mass.rows);
+        let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % each == 0)).collect();
+        let moved = self.liquid.mass.times(&translation);
+        moved.iter().zip(&translation).map(|(a, b)| a * b).sum()
+    }
+
     /// Height of the wall [m].
     pub fn height(&self) -> f64 {
         self.tank.levels[self.tank.levels.len() - 1]
@@ -228,7 +232,7 @@ impl StripModel {
         self.ratios[self.wall_mode].ratio
     }
 
-    /// Elevation of the surface at the wall for the unknowns `u` [m].
+    /// Elevation of the surface of the condensed liquid at the wall for the unknowns `u` [m].
     pub fn elevation(&self, u: &[f64]) -> f64 {
         let own: Vec<f64> = self.amplitudes.iter().map(|&e| u[e]).collect();
         dot(&own, &self.liquid.elevation)
@@ -237,19 +241,29 @@ impl StripModel {
     /// Settlement of the mean surface while both walls give way by the deflection in `u` [m]: ∫ w dz/L, the liquid being
     /// incompressible.
     pub fn settlement(&self, u: &[f64]) -> f64 {
+        if let Some(chain) = &self.chain {
+            return chain.settlement(self, u);
+        }
         let area: f64 = self.face_unknowns(u).zip(&self.liquid.area).map(|(x, a)| x * a).sum();
         area / self.tank.liquid.half_width
     }
 
-    /// Reaction of the ground on the base of the wall, part by part, at the committed `state`; `ground`: acceleration of the
-    /// ground [m/s²].
+    /// Reaction of the ground on the base of `wall`, part by part, at the committed `state`; `ground`: acceleration of the
+    /// ground [m/s²] in the wall's own axes.
     ///
     /// Errors: those of the elements.
-    pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<BaseReaction, StripError> {
+    pub fn base_reaction(
+        &self,
+        wall: &PlacedWall,
+        state: &State,
+        ground: [f64; 3],
+    ) -> Result<BaseReaction, StripError> {
         let mut out = BaseReaction::default();
-        let base = &self.feet;
+        let base = &wall.feet;
         let (mut gather, mut response) = (Gather::default(), Response::default());
         let held = |dof: &Dof| self.model.is_held(base[0], *dof);
+        // The pressure of a liquid of elements on the foot itself.
+        let pressed = |e: usize| self.chain.is_some() && self.model.groups()[self.model.group_of(e)] == contact::JOINT;
         for (e, element) in self.model.elements().iter().enumerate() {
             if !base.iter().any(|node| element.nodes().contains(node)) {
                 continue;
@@ -268,7 +282,8 @@ impl StripModel {
             for (local, &node) in element.nodes().iter().enumerate() {
                 for dof in element.dofs(local) {
                     if let Some(i) = BASE.iter().position(|d| base.contains(&node) && d == dof && held(d)) {
-                        out.section[i] += response.force[k];
+                        let part = if pressed(e) { &mut out.load } else { &mut out.section };
+                        part[i] += response.force[k];
                         out.load[i] -= weight[k];
                     }
                     k += 1;
@@ -276,48 +291,49 @@ impl StripModel {
             }
         }
         // Pressure at rest and of the vertical motion are nodal loads; their share at the base goes straight into the ground.
-        for (k, i) in [0, 2].into_iter().enumerate().take(self.tank.trace().unknowns()) {
+        let loads = if self.chain.is_some() { 0 } else { self.tank.trace().unknowns() };
+        for (k, i) in [0, 2].into_iter().enumerate().take(loads) {
             out.load[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
         }
         let fields = &state.committed;
         if self.tank.base_spring.is_some() {
-            out.section[2] = apply(&self.base[2].displacement, &fields.u);
+            out.section[2] = apply(&wall.base[2].displacement, &fields.u);
             out.load[2] = 0.0;
         }
-        for (i, row) in self.base.iter().enumerate() {
+        for (i, (row, total)) in wall.base.iter().zip(&wall.carried).enumerate() {
             out.damping[i] = apply(&row.velocity, &fields.v);
-            let total = row.total_ground(&self.system.influence);
             let carried: f64 = total.iter().zip(ground).map(|(b, a)| b * a).sum();
             out.inertia[i] = apply(&row.acceleration, &fields.a) + carried;
         }
         Ok(out)
     }
 
-    /// Curvature [1/m] and moment [N] of the lowest section at a committed `state`.
+    /// Curvature [1/m] and moment [N] of the lowest section of `wall` at a committed `state`.
     ///
     /// Errors: those of the element.
-    pub fn lowest_section(&self, state: &State) -> Result<[f64; 2], StripError> {
-        let element = &*self.model.elements()[0];
+    pub fn lowest_section(&self, wall: &PlacedWall, state: &State) -> Result<[f64; 2], StripError> {
+        let lowest = wall.elements.start;
+        let element = &*self.model.elements()[lowest];
         let mut gather = Gather::default();
         let motion = gather.motion(&self.model, &state.committed, element);
-        let found = element.sections(motion, &state.old[state.history(0)])?;
+        let found = element.sections(motion, &state.old[state.history(lowest)])?;
         if let Some(shells) = &self.tank.shells {
             return Ok(shells.lowest(&found));
         }
         Ok(found.first().map_or([0.0; 2], |s| [s.strain[3], s.resultants[3]]))
     }
 
-    /// Largest total acceleration of a node of the wall along x, absolute [m/s²], with the height of the node [m]; `a`:
-    /// accelerations relative to the ground, `ground`: that of the ground along x [m/s²].
-    pub fn largest_acceleration(&self, a: &[f64], ground: f64) -> (f64, f64) {
+    /// Largest total acceleration of a node of `wall` along x, absolute [m/s²], with the height of the node [m]; `a`:
+    /// accelerations relative to the ground, `ground`: that of the ground along the wall's own x [m/s²].
+    pub fn largest_acceleration(&self, wall: &PlacedWall, a: &[f64], ground: f64) -> (f64, f64) {
         let along = |&node: &usize| self.model.at_node(a, node)[Dof::Ux.index()] + ground;
-        let all = self.wall.iter().map(along).zip(&self.tank.levels);
+        let all = wall.nodes.iter().map(along).zip(&self.tank.levels);
         all.fold((0.0, 0.0), |worst, (a, &z)| if a.abs() > worst.0 { (a.abs(), z) } else { worst })
     }
 
-    /// Moment that the ground exerts on the base [N], of the linear strip, relative to the state at rest.
+    /// Moment that the ground exerts on the base of the first wall [N], of the linear strip, relative to the state at rest.
     pub fn base_moment(&self) -> Observable {
-        self.base[2].clone()
+        self.walls[0].base[2].clone()
     }
 
     /// Loads at rest: weight and pressure.
@@ -336,10 +352,13 @@ impl StripModel {
         let observable =
             |name: &str, displacement| Observable { name: name.into(), displacement, ..Observable::default() };
         vec![
-            observable("deflection of the top", vec![(self.top(), 1.0)]),
+            observable("deflection of the top", vec![(self.top(&self.walls[0]), 1.0)]),
             observable(
                 "elevation at the wall",
-                self.amplitudes.iter().copied().zip(self.liquid.elevation.iter().copied()).collect(),
+                match &self.chain {
+                    Some(chain) => chain.elevation(&self.model),
+                    None => self.amplitudes.iter().copied().zip(self.liquid.elevation.iter().copied()).collect(),
+                },
             ),
         ]
     }

@@ -75,7 +75,7 @@ fn shape(model: &StripModel, phi: &[f64]) -> ModeShape {
     };
     let mut shape = ModeShape {
         z: model.tank.levels.clone(),
-        wall: model.wall.iter().map(|&node| model.model.at_node(phi, node)[Dof::Ux.index()]).collect(),
+        wall: model.walls[0].nodes.iter().map(|&node| model.model.at_node(phi, node)[Dof::Ux.index()]).collect(),
         surface: r.iter().map(elevation).collect(),
         r,
     };

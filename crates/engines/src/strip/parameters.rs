@@ -33,6 +33,30 @@ pub struct StripTank {
     pub sloshing: usize,
     /// How liquid and wall touch.
     pub contact: Contact,
+    /// Liquid of displacement elements between both walls, in one model, in place of the condensed one.
+    pub mesh: Option<LiquidMesh>,
+}
+
+/// Liquid of displacement elements, joined to both walls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LiquidMesh {
+    /// Elements from wall to wall; rows are those of the wall.
+    pub columns: usize,
+    /// Bulk modulus [Pa].
+    pub bulk_modulus: f64,
+    /// Penalty K_rot [Pa] of the element of [B02], volume part at one point and full rotation part; `None`: mean dilatation and split penalty.
+    pub rotation_penalty: Option<f64>,
+    /// Stiffness k_t of the joints along the wall [N/m³].
+    pub tangential: f64,
+    /// Whether a joint opens by the pressure at its place, as in [B02], not by that of the displaced particle.
+    pub at_place: bool,
+}
+
+impl LiquidMesh {
+    /// The default element, free along the wall.
+    pub fn new(columns: usize, bulk_modulus: f64) -> LiquidMesh {
+        LiquidMesh { columns, bulk_modulus, rotation_penalty: None, tangential: 0.0, at_place: false }
+    }
 }
 
 impl StripTank {

@@ -148,6 +148,22 @@ pub(super) fn check(tank: &StripTank, damping: StripDamping) -> Result<(), Strip
     if liquid.depth > z[z.len() - 1] {
         return refuse("depth", format!("{} m", liquid.depth), "at most the wall's height");
     }
+    if let Some(mesh) = &tank.mesh {
+        if mesh.columns < 2 || !mesh.columns.is_multiple_of(2) {
+            return refuse(
+                "elements of the liquid from wall to wall",
+                mesh.columns.to_string(),
+                "an even number, 2 or more",
+            );
+        }
+        if !z.iter().any(|z| (z - liquid.depth).abs() <= 1e-9 * liquid.depth) {
+            return refuse(
+                "levels",
+                format!("none at the surface, {} m", liquid.depth),
+                "one at the surface, for elements of the liquid",
+            );
+        }
+    }
     if tank.sloshing == 0 {
         return refuse("sloshing modes", "0".into(), "1 or more");
     }

@@ -1,14 +1,37 @@
 //! States of both walls for pictures: the walls over the breadth of the tank, and the surface between them.
 
+use results::channel::Side;
 use results::{Snapshot, Snapshots};
 
 use super::history::WallState;
+use super::model::StripModel;
 use super::walls::Walls;
 
 /// Lines of nodes over the breadth.
 const COLUMNS: usize = 5;
 /// Lines of nodes of the surface from the middle to a wall.
 const LINES: usize = 13;
+
+impl StripModel {
+    /// Elevation of the surface at the lines of a picture, from the middle to the wall of `side` [m], for the unknowns `u`.
+    pub(super) fn surface(&self, side: Side, u: &[f64]) -> Vec<f64> {
+        if let Some(chain) = &self.chain {
+            return chain.surface(self, side as usize, u, LINES);
+        }
+        let liquid = &self.tank.liquid;
+        let amplitudes: Vec<f64> =
+            self.amplitudes.iter().zip(&self.liquid.elevation).map(|(&e, wave)| u[e] * wave).collect();
+        let at = |i: usize| {
+            let x = i as f64 / (LINES - 1) as f64;
+            let waves = amplitudes.iter().enumerate().map(|(n, at_wall)| {
+                let k = liquid.wave_number(n) * liquid.half_width;
+                at_wall * (k * x).sin() / k.sin()
+            });
+            waves.sum()
+        };
+        (0..LINES).map(at).collect()
+    }
+}
 
 impl Walls<'_> {
     /// The states that both walls have; none where nobody asks for them.
@@ -32,7 +55,7 @@ impl Walls<'_> {
             out.thickness.extend(thickness.flat_map(|t| [t; COLUMNS - 1]));
         }
         let first = out.nodes.len();
-        for (x, _) in lines() {
+        for x in lines() {
             out.nodes.extend(across(self.breadth).map(|y| [half * x, y, depth]));
         }
         out.surface = grid(first, 2 * LINES - 1).map(|[a, b, c, d]| [a, d, c, b]).collect();
@@ -48,13 +71,9 @@ impl Walls<'_> {
             }
             out.cracks.extend(wall.cracks.iter().flat_map(|open| [*open; COLUMNS - 1]));
         }
-        let liquid = &self.model.tank.liquid;
-        for (x, wall) in lines() {
-            let waves = walls[wall].waves.iter().enumerate().map(|(n, at_wall)| {
-                let k = liquid.wave_number(n) * liquid.half_width;
-                at_wall * (k * x.abs()).sin() / k.sin()
-            });
-            out.displacement.extend([[0.0, 0.0, waves.sum()]; COLUMNS]);
+        for i in 0..2 * LINES - 1 {
+            let (wall, line) = if i < LINES - 1 { (1, LINES - 1 - i) } else { (0, i + 1 - LINES) };
+            out.displacement.extend([[0.0, 0.0, walls[wall].surface[line]]; COLUMNS]);
         }
         out
     }
@@ -65,10 +84,10 @@ fn across(breadth: f64) -> impl Iterator<Item = f64> {
     (0..COLUMNS).map(move |k| breadth * (k as f64 / (COLUMNS - 1) as f64 - 0.5))
 }
 
-/// Lines of the surface, rising: x over the half width, and the wall whose half it is.
-fn lines() -> impl Iterator<Item = (f64, usize)> {
+/// Lines of the surface, rising: x over the half width.
+fn lines() -> impl Iterator<Item = f64> {
     let last = LINES - 1;
-    (0..=2 * last).map(move |i| (i as f64 / last as f64 - 1.0, usize::from(i < last)))
+    (0..=2 * last).map(move |i| i as f64 / last as f64 - 1.0)
 }
 
 /// Quadrilaterals of `rows` rows of nodes.

@@ -57,8 +57,14 @@ impl Report<'_> {
         };
         vec![
             label("wall elements", wall),
-            label("liquid", format!("condensed onto the wall in closed form, {} sloshing modes", model.tank.sloshing)),
-            label("unknowns", format!("{} a wall", model.model.dofs().len())),
+            label("liquid", describe::liquid(model)),
+            label(
+                "unknowns",
+                match model.chain {
+                    None => format!("{} a wall", model.model.dofs().len()),
+                    Some(_) => format!("{} of walls and liquid", model.model.dofs().len()),
+                },
+            ),
         ]
     }
 
@@ -98,8 +104,17 @@ impl Report<'_> {
                     significant(100.0 * model.wall_ratio(), 3)
                 ),
             ),
-            label("wave height", format!("first {} sloshing modes", model.tank.sloshing)),
+            label(
+                "wave height",
+                match model.chain {
+                    None => format!("first {} sloshing modes", model.tank.sloshing),
+                    Some(_) => "displacement of the liquid at the wall".to_owned(),
+                },
+            ),
         ];
+        if let Some(chain) = &model.chain {
+            out.push(label("contact of liquid and wall", describe::contact(chain, &model.tank)));
+        }
         if let Some(joints) = &model.joints {
             let penetration = self.walls.runs.iter().filter_map(|r| r.history.openings.as_ref());
             let penetration = penetration.map(|o| o.penetration()).fold(0.0, f64::max);
@@ -122,12 +137,10 @@ impl Report<'_> {
     /// Liquid and walls in a rigid translation, against their masses.
     pub(super) fn mass_balance(&self) -> Vec<Balance> {
         let model = &self.strip.model;
-        let each = model.tank.trace().unknowns();
-        let wall = each * model.face.len();
-        let size = model.liquid.mass.rows;
-        let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % each == 0)).collect();
-        let moved = model.liquid.mass.times(&translation);
-        let liquid: f64 = moved.iter().zip(&translation).map(|(a, b)| a * b).sum();
+        let liquid = match &model.chain {
+            Some(chain) => 0.5 * chain.liquid_mass(model),
+            None => model.condensed_mass(),
+        };
         let lengths = model.tank.levels.windows(2).map(|w| w[1] - w[0]);
         let walls: f64 = lengths.zip(&model.tank.sections).map(|(l, s)| l * s.mass()).sum();
         let walls = walls + model.tank.carried.iter().map(|(mass, _)| mass).sum::<f64>();

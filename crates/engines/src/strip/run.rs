@@ -76,6 +76,22 @@ pub struct StripRun {
     pub iterations: u64,
 }
 
+impl StripRun {
+    fn of(observed: WallRun) -> StripRun {
+        let run = observed.run;
+        StripRun {
+            demand: Demand::of(&observed.history),
+            time: run.time,
+            hysteretic: run.balance.samples.last().map_or(0.0, |e| e.hysteretic),
+            imbalance: run.balance.error(),
+            halvings: run.cuts,
+            steps: run.cost.steps,
+            iterations: run.cost.iterations,
+            outcome: run.outcome,
+        }
+    }
+}
+
 /// One wall after a run that was observed closely.
 #[derive(Clone, Debug)]
 pub struct WallRun {
@@ -156,18 +172,7 @@ impl StripModel {
         checkpoint: Option<Checkpoint>,
         progress: &dyn Progress,
     ) -> Result<StripRun, StripError> {
-        let observed = self.observed(quake, scale, side, checkpoint, None, progress)?;
-        let run = observed.run;
-        Ok(StripRun {
-            demand: Demand::of(&observed.history),
-            time: run.time,
-            hysteretic: run.balance.samples.last().map_or(0.0, |e| e.hysteretic),
-            imbalance: run.balance.error(),
-            halvings: run.cuts,
-            steps: run.cost.steps,
-            iterations: run.cost.iterations,
-            outcome: run.outcome,
-        })
+        Ok(StripRun::of(self.observed(quake, scale, side, checkpoint, None, progress)?))
     }
 
     /// Both walls under the unscaled records, in parallel, with full histories. The tank ends with the wall
@@ -182,6 +187,10 @@ impl StripModel {
         checkpoints: [Option<Checkpoint>; 2],
         progress: &dyn Progress,
     ) -> Result<[WallRun; 2], StripError> {
+        if self.chain.is_some() {
+            let [first, _] = checkpoints;
+            return self.both(quake, 1.0, first, progress);
+        }
         progress.stage("time steps of both walls", 2 * self.grid(quake).steps() as u64);
         let counted = Counted::new(progress);
         let [first, second] = checkpoints;
@@ -208,6 +217,24 @@ impl StripModel {
         self.observed(quake, 1.0, side, None, None, progress)
     }
 
+    /// Both walls of a model that holds both.
+    ///
+    /// Errors: as [`StripModel::histories`].
+    fn both(
+        &self,
+        quake: &StripQuake,
+        scale: f64,
+        checkpoint: Option<Checkpoint>,
+        progress: &dyn Progress,
+    ) -> Result<[WallRun; 2], StripError> {
+        let [mut first, mut second] = Side::BOTH.map(|side| WallObserver::new(self, side, None, quake.states));
+        let run = self.march(quake, scale, Side::Front, checkpoint, &mut [&mut first, &mut second], progress)?;
+        let of = |observer: WallObserver<'_>| -> Result<WallRun, StripError> {
+            Ok(WallRun { lost: observer.lost(), history: observer.finish()?, run: run.clone() })
+        };
+        Ok([of(first)?, of(second)?])
+    }
+
     /// Every run of a wall.
     fn observed(
         &self,
@@ -218,8 +245,8 @@ impl StripModel {
         until: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<WallRun, StripError> {
-        let mut observer = WallObserver::new(self, until, quake.states);
-        let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
+        let mut observer = WallObserver::new(self, side, until, quake.states);
+        let run = self.march(quake, scale, side, checkpoint, &mut [&mut observer], progress)?;
         Ok(WallRun { lost: observer.lost(), history: observer.finish()?, run })
     }
 
@@ -236,7 +263,7 @@ impl StripModel {
         scale: f64,
         side: Side,
         checkpoint: Option<Checkpoint>,
-        observer: &mut dyn Observe,
+        observers: &mut [&mut dyn Observe],
         progress: &dyn Progress,
     ) -> Result<Run, StripError> {
         let grid = self.grid(quake);
@@ -247,7 +274,10 @@ impl StripModel {
         let mut load = Load::ground(0, motion(&quake.horizontal, scale * sign(side)));
         if let Some(vertical) = &quake.vertical {
             let motion = motion(vertical, scale);
-            load.forces.push((self.vertical_pressure(), motion.clone()));
+            // Elements of the liquid have a mass that the ground lifts.
+            if self.chain.is_none() {
+                load.forces.push((self.vertical_pressure(), motion.clone()));
+            }
             load.ground[2] = Some(motion);
         }
         let mut settings = Settings::new(grid);
@@ -258,7 +288,7 @@ impl StripModel {
         settings.checkpoint = checkpoint;
         let problem =
             Problem { model: &self.model, assembler: &self.assembler, symbolic: &self.symbolic, system: &self.system };
-        Ok(march(problem, &load, &settings, &mut [observer], progress)?)
+        Ok(march(problem, &load, &settings, observers, progress)?)
     }
 
     /// Both walls at every scale on `threads` threads; `each` is called for every level as it is finished, so that the caller may
@@ -292,6 +322,10 @@ impl StripModel {
         let mut order: Vec<f64> = scales.to_vec();
         order.sort_by(|a, b| b.total_cmp(a));
         let run = |scale: f64| -> Result<StripLevel, StripError> {
+            if self.chain.is_some() {
+                let both = self.both(quake, scale, checkpoint(scale, Side::Front), &Quiet(progress))?;
+                return Ok(StripLevel { scale, walls: both.map(StripRun::of) });
+            }
             let wall = |side| self.resumable(quake, scale, side, checkpoint(scale, side), &Quiet(progress));
             Ok(StripLevel { scale, walls: [wall(Side::Front)?, wall(Side::Back)?] })
         };

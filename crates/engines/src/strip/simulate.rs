@@ -96,7 +96,7 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     fn simulation(self) -> Simulation {
         let model = &self.strip.model;
-        let modes = modes(model, self.walls.breadth);
+        let modes = modes(model.closed(), self.walls.breadth);
         let lines = self.lines();
         let values = self.values(&modes, &lines);
         let histories = self.histories(&lines);
@@ -108,7 +108,7 @@ impl Report<'_> {
             integration: self.integration(),
             damping_table: match self.options.damping {
                 Damping::ByGroup { .. } => Vec::new(),
-                _ => damping_table(model),
+                _ => damping_table(model.closed()),
             },
             modes,
             mass_balance: self.mass_balance(),

@@ -1,5 +1,6 @@
 //! The strip in one run: against the linear engine, at rest, until collapse.
 
+mod chain;
 mod model;
 mod resume;
 mod shells;

@@ -20,6 +20,7 @@ use fem::element::{Inspect, Inspection};
 use results::nonlinear::{Departure, DepartureKind, Passed};
 
 use super::model::{BaseReaction, StripModel};
+use super::placed::PlacedWall;
 
 /// Strain of a bar whose strain at rupture is not given: the least characteristic strain at the greatest force of any class
 /// (class A).
@@ -84,7 +85,13 @@ pub(super) struct Validity {
 
 impl Validity {
     /// Takes in a committed step, with the reaction at the base and the worst bar.
-    pub(crate) fn see(&mut self, strip: &StripModel, now: &Instant<'_>, reaction: &BaseReaction, bar: BarStrain) {
+    pub(crate) fn see(
+        &mut self,
+        (strip, wall): (&StripModel, &PlacedWall),
+        now: &Instant<'_>,
+        reaction: &BaseReaction,
+        bar: BarStrain,
+    ) {
         let elements = strip.model.elements().iter().enumerate();
         let dissipated: f64 =
             elements.map(|(e, element)| element.dissipated(&now.state.old[now.state.history(e)])).sum();
@@ -111,7 +118,7 @@ impl Validity {
             false => 0.0,
         };
         self.moments[0] = self.moments[0].max(total);
-        let (acceleration, place) = strip.largest_acceleration(&now.state.committed.a, now.ground[0]);
+        let (acceleration, place) = strip.largest_acceleration(wall, &now.state.committed.a, wall.own(now.ground)[0]);
         let energy = -rest - ENERGY_SHARE * self.largest;
         for (kind, passed, height, value, limit) in [
             (DepartureKind::BarStrain, bar.ratio > 1.0, bar.height, bar.strain, bar.strain / bar.ratio),

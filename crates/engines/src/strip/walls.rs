@@ -130,6 +130,10 @@ impl Walls<'_> {
 
     fn place_of(&self, wall: usize, collapse: &Collapse) -> String {
         let height = |node: usize| display(self.model.model.nodes()[node][2], Dimension::Length);
+        let wall = match (&self.model.chain, collapse.worst) {
+            (Some(chain), Some((node, _))) => chain.wall_of(self.model, node).unwrap_or(wall),
+            _ => wall,
+        };
         match (collapse.worst, collapse.element) {
             (Some((_, Dof::Amplitude)), _) => format!("{}, surface of the liquid", WALLS[wall]),
             (Some((node, dof)), _) => {
@@ -255,12 +259,19 @@ impl Walls<'_> {
         loops
     }
 
+    /// Runs that were marches of their own: both, or one of a model that holds both walls.
+    fn marched(&self) -> &[WallRun] {
+        &self.runs[..self.model.marches()]
+    }
+
     /// Energies of the whole tank.
     fn energies(&self) -> Energies {
         let sum = |value: fn(&fem::analysis::march::Energies) -> f64| -> Vec<f64> {
-            let [a, b] = self.runs.each_ref().map(|r| &r.run.balance.samples);
-            let both = a.iter().zip(b).take(self.samples);
-            both.map(|(a, b)| self.breadth * (value(a) + value(b))).collect()
+            let at = |i: usize| {
+                let own = self.marched().iter().map(|r| r.run.balance.samples.get(i).map(value));
+                own.sum::<Option<f64>>().map(|sum| self.breadth * sum)
+            };
+            (0..self.samples).map_while(at).collect()
         };
         let history = &self.runs[0].history;
         let samples = history.samples.iter().take(self.samples);
@@ -279,7 +290,7 @@ impl Walls<'_> {
     fn cost(&self) -> Vec<Count> {
         let sum = |label: &str, value: fn(&WallRun) -> u64| Count {
             label: label.into(),
-            value: self.runs.iter().map(|r| value(r) as f64).sum(),
+            value: self.marched().iter().map(|r| value(r) as f64).sum(),
             dimension: Dimension::Dimensionless,
         };
         let shortest = self.runs.iter().map(|r| r.run.shortest).fold(f64::INFINITY, f64::min);

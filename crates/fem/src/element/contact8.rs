@@ -22,6 +22,9 @@
 //! gap in all formulas is g_a − λ_a/k_n, and after a solution λ_a ← max(0, λ_a − k_n g_a) (Uzawa): the penetration goes to
 //! zero with the given penalty. [`crate::analysis::contact`] runs the passes.
 //!
+//! **Displaced particles.** The pressure of a liquid of displacements is that at a place; the particle there has p + s, s = −ρ g u_z. Such a
+//! joint opens where that falls below zero, t = A (g − s/k_n) + s with s of the step before: a surface that sinks takes no liquid off the wall.
+//!
 //! **Partly closed faces** are cut at g = 0 (`contact8_area`). The moving boundary does not contribute to the tangent, as
 //! the integrand vanishes there. The normals are those of the reference state (small rotations of the face).
 //!
@@ -57,6 +60,11 @@ pub struct ContactLaw {
     pub integration: Integration,
     /// Whether each corner keeps a multiplier, four history variables.
     pub augmented: bool,
+    /// ρ g of a liquid on top [N/m³]: the joint opens by the pressure of the displaced particle; 0 by that at the place. Takes the place of the
+    /// multipliers.
+    pub relief: f64,
+    /// Whether time steps take the force at their end.
+    pub at_end: bool,
 }
 
 /// Behaviour of an open joint.
@@ -80,6 +88,8 @@ impl ContactLaw {
             opening: Opening::Bonded,
             integration: Integration::Clipped,
             augmented: false,
+            relief: 0.0,
+            at_end: false,
         }
     }
 
@@ -93,6 +103,18 @@ impl ContactLaw {
         ContactLaw { tangential_stiffness, ..self }
     }
 
+    /// The same next to a liquid of displacements on top, which leaves where the pressure of the displaced particle falls below zero.
+    ///
+    /// * `weight_density`: ρ g [N/m³]
+    pub fn of_displaced(self, weight_density: f64) -> ContactLaw {
+        ContactLaw { relief: weight_density, ..self }
+    }
+
+    /// The same with the force at the end of a time step, which never gains energy at a touch.
+    pub fn at_end(self) -> ContactLaw {
+        ContactLaw { at_end: true, ..self }
+    }
+
     /// The same with multipliers.
     pub fn augmented(self) -> ContactLaw {
         ContactLaw { augmented: true, ..self }
@@ -102,6 +124,7 @@ impl ContactLaw {
         let check = |good, parameter, found: f64, allowed| require(good, KIND, parameter, found, allowed);
         check(positive(self.normal_stiffness), "normal_stiffness", self.normal_stiffness, "> 0")?;
         check(not_negative(self.tangential_stiffness), "tangential_stiffness", self.tangential_stiffness, "≥ 0")?;
+        check(not_negative(self.relief), "relief", self.relief, "≥ 0")?;
         match self.opening {
             Opening::Unilateral { residual } => {
                 check((0.0..1.0).contains(&residual), "residual", residual, "from 0 to below 1")
@@ -119,6 +142,8 @@ pub struct Contact8 {
     corners: [[f64; 3]; 4],
     normals: [Vector3<f64>; 4],
     law: ContactLaw,
+    /// Signs of the bottom's components along the axes of the top.
+    bottom: [f64; 3],
 }
 
 impl Contact8 {
@@ -147,13 +172,20 @@ impl Contact8 {
         let mut nodes = [0; 8];
         nodes[..4].copy_from_slice(&top);
         nodes[4..].copy_from_slice(&bottom);
-        let element = Contact8 { nodes, chart, corners: face.chart, normals: normals.map(Vector3::from), law };
+        let element =
+            Contact8 { nodes, chart, corners: face.chart, normals: normals.map(Vector3::from), law, bottom: [1.0; 3] };
         let mut least = f64::INFINITY;
         Gap::whole(|r, s, _| least = least.min(element.area_factor(r, s)));
         if least.is_nan() || least <= 0.0 {
             return Err(ElementError::Jacobian { kind: KIND, determinant: least, nodes: nodes.to_vec() });
         }
         Ok(element)
+    }
+
+    /// The same joint to a bottom whose unknowns along x point the other way: a wall that is modelled in axes of its own.
+    pub fn with_mirrored_bottom(mut self) -> Contact8 {
+        self.bottom[0] = -1.0;
+        self
     }
 
     /// Area of the face [m²].
@@ -165,7 +197,17 @@ impl Contact8 {
 
     /// Gap at the four corners [m] for the values of the element's dofs; negative where pressed.
     pub fn gaps(&self, values: &[f64]) -> [f64; 4] {
-        std::array::from_fn(|a| (0..3).map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i])).sum())
+        std::array::from_fn(|a| self.normals[a].dot(&self.jump(values, a)))
+    }
+
+    /// u_top − u_bottom at corner `a` [m].
+    fn jump(&self, values: &[f64], a: usize) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| values[3 * a + i] - self.bottom[i] * values[12 + 3 * a + i])
+    }
+
+    /// s_a = −ρ g u_z at the corners of the top: change of the pressure of a particle by its own motion [Pa].
+    fn relief(&self, values: &[f64]) -> [f64; 4] {
+        std::array::from_fn(|a| -self.law.relief * values[3 * a + 2])
     }
 
     /// g_a − λ_a/k_n.
@@ -231,12 +273,12 @@ impl Contact8 {
     }
 
     /// Adds value · x yᵀ between nodes a and b, with the signs of top and bottom.
-    fn add_pair(a: usize, b: usize, block: impl Fn(usize, usize) -> f64, out: &mut LocalMatrix) {
+    fn add_pair(&self, [a, b]: [usize; 2], block: impl Fn(usize, usize) -> f64, out: &mut LocalMatrix) {
         for j in 0..3 {
             for i in 0..3 {
                 let value = block(i, j);
-                for (row, sign_row) in [(3 * a + i, 1.0), (12 + 3 * a + i, -1.0)] {
-                    for (column, sign_column) in [(3 * b + j, 1.0), (12 + 3 * b + j, -1.0)] {
+                for (row, sign_row) in [(3 * a + i, 1.0), (12 + 3 * a + i, -self.bottom[i])] {
+                    for (column, sign_column) in [(3 * b + j, 1.0), (12 + 3 * b + j, -self.bottom[j])] {
                         out.add(row, column, sign_row * sign_column * value);
                     }
                 }
@@ -254,12 +296,16 @@ impl Element for Contact8 {
     crate::answers!(KIND, nodes, Dof::TRANSLATIONS; massless contact inspect);
 
     fn history_len(&self) -> usize {
-        if self.law.augmented { 4 } else { 0 }
+        if self.law.augmented || self.law.relief > 0.0 { 4 } else { 0 }
     }
 
     /// At rest (all gaps zero) the tangent of a unilateral joint is that of the bonded one: the reference state is closed.
     fn respond(&self, Trial { motion, old, new, want }: Trial<'_>, out: &mut Response) -> Result<(), ElementError> {
-        new.copy_from_slice(old);
+        let relieved = self.law.relief > 0.0;
+        match relieved {
+            true => new.copy_from_slice(&self.relief(motion.values)),
+            false => new.copy_from_slice(old),
+        }
         let gaps = self.shifted_gaps(motion.values, old);
         let normal = if gaps == [0.0; 4] {
             self.whole().map(|row| row.map(|x| self.law.normal_stiffness * x))
@@ -269,9 +315,16 @@ impl Element for Contact8 {
         let mut add_force = |a: usize, force: Vector3<f64>| {
             for i in 0..3 {
                 out.force[3 * a + i] += force[i];
-                out.force[12 + 3 * a + i] -= force[i];
+                out.force[12 + 3 * a + i] -= self.bottom[i] * force[i];
             }
         };
+        if want.force && relieved {
+            // t = A (g − s/k_n) + s: the whole traction of the closed joint, s of the open one.
+            for (a, row) in self.whole().iter().enumerate() {
+                let sum: f64 = row.iter().zip(old).map(|(m, s)| m * s).sum();
+                add_force(a, sum * self.normals[a]);
+            }
+        }
         if want.force {
             for a in 0..4 {
                 let sum: f64 = (0..4).map(|b| normal[a][b] * gaps[b]).sum();
@@ -282,7 +335,7 @@ impl Element for Contact8 {
             for a in 0..4 {
                 for b in 0..4 {
                     let (na, nb) = (&self.normals[a], &self.normals[b]);
-                    Contact8::add_pair(a, b, |i, j| normal[a][b] * na[i] * nb[j], &mut out.tangent);
+                    self.add_pair([a, b], |i, j| normal[a][b] * na[i] * nb[j], &mut out.tangent);
                 }
             }
         }
@@ -294,11 +347,10 @@ impl Element for Contact8 {
                         * self.tangential_projector(b)
                         * (self.law.tangential_stiffness * whole[a][b]);
                     if want.force {
-                        let jump = Vector3::from_fn(|i, _| motion.values[3 * b + i] - motion.values[12 + 3 * b + i]);
-                        add_force(a, block * jump);
+                        add_force(a, block * self.jump(motion.values, b));
                     }
                     if want.tangent {
-                        Contact8::add_pair(a, b, |i, j| block[(i, j)], &mut out.tangent);
+                        self.add_pair([a, b], |i, j| block[(i, j)], &mut out.tangent);
                     }
                 }
             }
@@ -308,6 +360,10 @@ impl Element for Contact8 {
 }
 
 impl Contact for Contact8 {
+    fn acts_at_end(&self) -> bool {
+        self.law.at_end
+    }
+
     /// Corners of a joint that may open: closed or open.
     fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool)) {
         if self.law.opening != Opening::Bonded {
@@ -317,6 +373,9 @@ impl Contact for Contact8 {
     }
 
     fn augment(&self, motion: Motion<'_>, history: &mut [f64]) {
+        if self.law.relief > 0.0 {
+            return;
+        }
         let gaps = self.gaps(motion.values);
         for (lambda, g) in history.iter_mut().zip(gaps) {
             let next = *lambda - self.law.normal_stiffness * g;
@@ -343,7 +402,7 @@ impl Inspect for Contact8 {
             for a in 0..4 {
                 for i in 0..3 {
                     gap[3 * a + i] = n[a] * self.normals[a][i];
-                    gap[12 + 3 * a + i] = -n[a] * self.normals[a][i];
+                    gap[12 + 3 * a + i] = -n[a] * self.bottom[i] * self.normals[a][i];
                 }
             }
             let position = self.chart.position(self.chart_at(r, s));

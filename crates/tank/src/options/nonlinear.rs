@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::after_record::AfterRecord;
 use crate::case;
 use crate::imperfection::Imperfections;
-use crate::keys::{Number, Opt, Or, Time, Within, keys};
+use crate::keys::{Number, Opt, Or, Subgrade, Time, Whole, Within, keys};
 use crate::words;
 
 /// Most elements over the height of a wall.
@@ -41,6 +41,12 @@ keys! {
         /// Elements of the walls of a strip; not for a cylinder, whose walls are shells.
         @(default) wall ("shell"): Or<StripWall>
             = default(DEFAULT.wall).because("one leaf bends, and fibres take a sixth of the time of shells"),
+        /// Liquid of a strip; not for a cylinder, whose liquid is condensed.
+        @"LiquidForm::is_condensed" liquid ("displacement"): Or<LiquidForm> = default(DEFAULT.liquid),
+        /// Elements of a displacement liquid over half the length of the strip; their rows are those of the wall.
+        @"Option::is_none" liquid_elements (10): Opt<Whole> [Limits::count(1, MOST_ROWS)] = Absent::Follows("nearly square elements"),
+        /// Stiffness along the wall of the contact elements of a displacement liquid, open or closed.
+        @"is_zero" contact_tangential ("10 MN/m3"): Or<Subgrade> [Limits::from(0.0).to(1e12)] = default(Subgrade(DEFAULT.contact_tangential)),
         /// Whether the weight of the wall acts.
         self_weight (false): Or<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
         /// Whether the pressure turns with the wall.
@@ -64,6 +70,8 @@ keys! {
     } with {
         /// Deviations of the wall from the perfect cylinder, those of `analysis.imperfections`.
         @"Imperfections::is_empty" imperfections: Imperfections = Imperfections::NONE,
+        /// Penalty K_rot of a displacement liquid [Pa], that of `analysis.solid`.
+        @"Option::is_none" rotation_penalty: Option<f64> = None,
     }
 }
 
@@ -81,6 +89,9 @@ impl NonlinearOptions {
             damping: Damping::ByGroup { wall: damping.impulsive, sloshing: damping.sloshing },
             contact: Contact::Bonded,
             wall: StripWall::Fibre,
+            liquid: LiquidForm::Condensed,
+            liquid_elements: None,
+            contact_tangential: 0.0,
             self_weight: true,
             follower_pressure: true,
             integration: Integration::DEFAULT,
@@ -89,8 +100,13 @@ impl NonlinearOptions {
             after_record: AfterRecord::DEFAULT,
             checkpoint: 60.0,
             imperfections: Imperfections::NONE,
+            rotation_penalty: None,
         }
     }
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 const fn one() -> f64 {
@@ -144,6 +160,23 @@ words! {
         Fibre = "fibre",
         /// Layered shells, flexible in shear: every leaf, with the interlayer between two; the liquid is bonded.
         Shell = "shell",
+    }
+}
+
+words! {
+    /// Liquid of a strip.
+    pub LiquidForm: Condensed {
+        /// Condensed onto each wall in closed form; the walls are run one by one.
+        Condensed = "condensed",
+        /// Displacement elements between both walls, joined to them by contact elements, in one model.
+        Displacement = "displacement",
+    }
+}
+
+impl LiquidForm {
+    /// Whether it is the default.
+    pub fn is_condensed(&self) -> bool {
+        *self == LiquidForm::Condensed
     }
 }
 

@@ -65,8 +65,8 @@ pub(crate) fn statics() -> Answer {
             StripDamping::Rayleigh(Rayleigh::NONE),
         )?;
         let state = at_rest(&strip)?;
-        let [shear, axial, moment] = strip.base_reaction(&state, [0.0; 3])?.total();
-        let deflection = state.committed.u[strip.top()];
+        let [shear, axial, moment] = strip.base_reaction(&strip.walls[0], &state, [0.0; 3])?.total();
+        let deflection = state.committed.u[strip.top(&strip.walls[0])];
         found.push((wet as f64, [moment.abs(), shear.abs(), -axial, deflection, strip.settlement(&state.committed.u)]));
     }
     let finest = found[found.len() - 1].1;

@@ -124,7 +124,7 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
         scale * (at(i) + (place - i as f64) * (at(i + 1) - at(i)))
     };
     let load = |t: f64| -> Vec<f64> { system.inertia[0].iter().map(|m| -m * ground(t)).collect() };
-    let top = model.top();
+    let top = model.top(&model.walls[0]);
     let mut out = [vec![0.0], vec![0.0], vec![0.0]];
     let step = STEP;
     jointed.march(step, (until / step).round() as usize, &load, |m| {

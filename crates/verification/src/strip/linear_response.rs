@@ -28,8 +28,8 @@ const PROTOTYPE: &str = "independent prototype (theory of the strip)";
 /// Largest deflection of the top [m], moment at the base [Nm/m] and elevation at the wall [m], both walls.
 pub(super) fn peaks(strip: &StripModel, record: &Record, longest_step: f64) -> Result<[f64; 3], StripError> {
     let state = at_rest(strip)?;
-    let [_, _, moment] = strip.base_reaction(&state, [0.0; 3])?.total();
-    let offsets = [state.committed.u[strip.top()], moment, 0.0];
+    let [_, _, moment] = strip.base_reaction(&strip.walls[0], &state, [0.0; 3])?.total();
+    let offsets = [state.committed.u[strip.top(&strip.walls[0])], moment, 0.0];
     let mut observables = strip.observables();
     observables.insert(1, strip.base_moment());
     let grid = Grid::new(record.dt, record.duration(), 0.0, longest_step);

@@ -65,7 +65,7 @@ const DAMPING: StripDamping = StripDamping::ByGroup { wall: 0.05, sloshing: 0.00
 
 /// The wall of concrete.
 #[derive(Clone, Copy, PartialEq)]
-enum Wall {
+pub(super) enum Wall {
     /// Elastic; with shear that gives way, or a hundred times stiffer.
     Elastic { stiff: bool },
     /// Cracking, with bars.
@@ -78,17 +78,17 @@ fn elastic([e, nu, t, density]: [f64; 4], stiff: bool) -> Result<Leaf, Failure> 
     Ok(Leaf { section, face: 0.5 * t })
 }
 
-/// Cracking concrete with 7 cm²/m up the wall at each face.
-fn cracking() -> Result<Leaf, Failure> {
+/// Cracking concrete in `layers` that softens over the strain `softening`, with 7 cm²/m up the wall at each face.
+fn cracking(layers: usize, softening: f64) -> Result<Leaf, Failure> {
     let [young, nu, thickness, density] = WALL;
     let tension = Tension {
         strength: 3.5e6,
-        softening: Softening::Strain { softening_strain: SOFTENING },
+        softening: Softening::Strain { softening_strain: softening },
         stiffening: None,
         bond: None,
     };
     let law = CrackedConcrete::new(&CrackedParameters::new(young, nu, 35e6, tension))?;
-    let ply = Ply { law: Arc::new(law), thickness, density, rule: Rule::MidPoint(LAYERS) };
+    let ply = Ply { law: Arc::new(law), thickness, density, rule: Rule::MidPoint(layers) };
     let mut bars = Vec::new();
     for depth in [-0.115, 0.115] {
         bars.push(Bar {
@@ -102,6 +102,29 @@ fn cracking() -> Result<Leaf, Failure> {
     Ok(Leaf { section: Arc::new(LayeredSection::new(&[ply], &bars)?), face: 0.5 * thickness })
 }
 
+/// The tank with layered shells in place of its beams.
+pub(super) fn of_shells(tank: StripTank, wall: Wall, layers: usize, softening: f64) -> Result<StripTank, Failure> {
+    let stiff = wall == Wall::Elastic { stiff: true };
+    let leaves = [
+        elastic(LINER, stiff)?,
+        match wall {
+            Wall::Elastic { .. } => elastic(WALL, stiff)?,
+            Wall::Cracking => cracking(layers, softening)?,
+        },
+    ];
+    let [modulus, thickness, density] = LAYER;
+    let layer = Layer {
+        material: Elastic::normal_only(modulus, density),
+        // As the fibres without second order.
+        kinematics: Kinematics::Linear,
+        mass: LayerMass::Halves,
+    };
+    let row = ShellRow { build: Build::Layered(leaves, layer), layers };
+    let shells =
+        ShellWall { rows: vec![row; tank.sections.len()], main: 1, gap: 0.5 * LINER[2] + thickness + 0.5 * THICKNESS };
+    Ok(StripTank { shells: Some(shells), ..tank })
+}
+
 /// The tank of fibres, or of shells.
 fn strip(wall: Wall, shells: bool, contact: Contact) -> Result<StripModel, Failure> {
     let options = Options { second_order: false, ..Options::default() };
@@ -112,27 +135,7 @@ fn strip(wall: Wall, shells: bool, contact: Contact) -> Result<StripModel, Failu
     let mut tank: StripTank = tank(section, WET, 1.0, options)?;
     tank.contact = contact;
     if shells {
-        let stiff = wall == Wall::Elastic { stiff: true };
-        let leaves = [
-            elastic(LINER, stiff)?,
-            match wall {
-                Wall::Elastic { .. } => elastic(WALL, stiff)?,
-                Wall::Cracking => cracking()?,
-            },
-        ];
-        let [modulus, thickness, density] = LAYER;
-        let layer = Layer {
-            material: Elastic::normal_only(modulus, density),
-            // As the fibres without second order.
-            kinematics: Kinematics::Linear,
-            mass: LayerMass::Halves,
-        };
-        let row = ShellRow { build: Build::Layered(leaves, layer), layers: LAYERS };
-        tank.shells = Some(ShellWall {
-            rows: vec![row; tank.sections.len()],
-            main: 1,
-            gap: 0.5 * LINER[2] + thickness + 0.5 * THICKNESS,
-        });
+        tank = of_shells(tank, wall, LAYERS, SOFTENING)?;
     }
     Ok(StripModel::new(&tank, DAMPING)?)
 }

@@ -4,8 +4,8 @@ use files::code::Code;
 use tank::case;
 use tank::options::NonlinearOptions;
 use tank::options::nonlinear::{
-    Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StepLength, StripWall, ThicknessRule,
-    WallElements,
+    Contact, Damping, Integration, LiquidForm, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StepLength, StripWall,
+    ThicknessRule, WallElements,
 };
 use tank::{Shape, Tank};
 
@@ -59,7 +59,7 @@ object! {
     }
 }
 
-choice!(Contact, StripWall, StepLength);
+choice!(Contact, StripWall, LiquidForm, StepLength);
 
 /// Name of a rule, the rule, and the fewest and the most points it has.
 type Known = (&'static str, fn(u32) -> ThicknessRule, u32, u32);
@@ -140,6 +140,13 @@ pub(super) fn nonlinear(
     if strip == Some(false) {
         let allowed = "no `wall`: walls of this tank are shells";
         r.inapplicable(&given.wall, "wall applies to a strip alone", allowed);
+        let allowed = "no `liquid`: that of this tank is condensed onto its walls";
+        r.inapplicable(&given.liquid, "liquid applies to a strip alone", allowed);
+    }
+    if found.liquid == LiquidForm::Condensed {
+        let allowed = "\"liquid\": \"displacement\" beside it";
+        r.inapplicable(&given.liquid_elements, "liquid_elements applies to a displacement liquid alone", allowed);
+        r.inapplicable(&given.contact_tangential, "contact_tangential applies to a displacement liquid alone", allowed);
     }
     let cylinder = (r.known.shape).map(|s| matches!(s, Shape::Cylinder { .. }));
     if found.symmetry && cylinder == Some(true) {

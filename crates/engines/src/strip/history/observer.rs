@@ -6,6 +6,7 @@ use fem::dofs::Dof;
 use fem::element::Inspect;
 use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;
+use results::channel::Side;
 use results::nonlinear::BaseMoment;
 
 use super::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory, WallState};
@@ -36,10 +37,12 @@ impl StripModel {
 /// Observer of a wall.
 pub(in crate::strip) struct WallObserver<'a> {
     strip: &'a StripModel,
-    /// Wet levels, then middles of wet elements.
+    side: Side,
+    /// Of a condensed liquid: wet levels, then middles of wet elements.
     places: Vec<Place>,
     bottom: Vec<f64>,
-    /// Unknowns of the liquid at rest: deflections and slopes of its face, then amplitudes.
+    /// At rest: of a condensed liquid deflections and slopes of its face, then amplitudes; of elements pressures at the wet levels, then displacements
+    /// upwards, and the moment of the bottom.
     rest: Vec<f64>,
     history: WallHistory,
     validity: Validity,
@@ -51,7 +54,7 @@ pub(in crate::strip) struct WallObserver<'a> {
 
 impl<'a> WallObserver<'a> {
     /// Stops the run at the first step at or after `until` [s]; keeps a state every `states` [s].
-    pub(crate) fn new(strip: &'a StripModel, until: Option<f64>, states: Option<f64>) -> WallObserver<'a> {
+    pub(crate) fn new(strip: &'a StripModel, side: Side, until: Option<f64>, states: Option<f64>) -> WallObserver<'a> {
         let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
         let tolerance = 1e-9 * liquid.depth;
         let mut heights: Vec<f64> = tank.levels.to_vec();
@@ -59,15 +62,29 @@ impl<'a> WallObserver<'a> {
         let wet = heights.len();
         let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));
         heights.extend(middles.filter(|z| *z < liquid.depth));
-        let joints = strip.joints.as_ref();
-        let seen = match joints {
+        let seen = match &strip.joints {
             Some(joints) => &joints.heights[..],
             None => &heights[..wet],
         };
+        // The foot stands on the ground.
+        let openings = match (&strip.joints, &strip.chain) {
+            (Some(joints), _) => Some(Openings::new(joints.heights.clone(), joints.shares.clone())),
+            (_, Some(chain)) if chain.opens => {
+                Some(Openings::new(chain.heights[1..].to_vec(), chain.shares[1..].to_vec()))
+            }
+            _ => None,
+        };
+        let condensed = strip.chain.is_none();
         let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
         WallObserver {
-            places: liquid.places(tank.trace(), strip.face_levels(), tank.sloshing, &heights),
-            bottom: liquid.bottom_moment(tank.trace(), strip.face_levels(), tank.sloshing),
+            places: match condensed {
+                true => liquid.places(tank.trace(), strip.face_levels(), tank.sloshing, &heights),
+                false => Vec::new(),
+            },
+            bottom: match condensed {
+                true => liquid.bottom_moment(tank.trace(), strip.face_levels(), tank.sloshing),
+                false => Vec::new(),
+            },
             rest: Vec::new(),
             history: WallHistory {
                 times: Vec::new(),
@@ -79,7 +96,7 @@ impl<'a> WallObserver<'a> {
                 events: Vec::new(),
                 pictures: Default::default(),
                 separation: check,
-                openings: joints.map(|j| Openings::new(j.heights.clone(), j.shares.clone())),
+                openings,
                 peak: BaseMoment::default(),
                 states: Vec::new(),
                 departures: Vec::new(),
@@ -89,6 +106,7 @@ impl<'a> WallObserver<'a> {
             until: until.unwrap_or(f64::INFINITY),
             failure: None,
             strip,
+            side,
         }
     }
 
@@ -109,30 +127,30 @@ impl<'a> WallObserver<'a> {
     }
 
     fn take(&mut self, now: &Instant<'_>) -> Result<(), StripError> {
-        let strip = self.strip;
+        let (strip, wall) = (self.strip, self.strip.wall(self.side));
         let fields = &now.state.committed;
-        let displacement = strip.face_of(&fields.u);
+        let ground = wall.own(now.ground);
+        let sight = self.sight(now);
         let start = self.history.times.is_empty();
         if start {
-            self.rest.clone_from(&displacement);
+            self.rest.clone_from(&sight);
         }
-        let acceleration = strip.face_acceleration(&fields.a, now.ground[0]);
-        let reaction = strip.base_reaction(now.state, now.ground)?;
+        let [elevation, bottom] = self.of_liquid(now, &sight);
+        let reaction = strip.base_reaction(wall, now.state, ground)?;
         let [shear, _, moment] = reaction.total();
-        let base = strip.lowest_section(now.state)?;
-        let elevation = strip.elevation(&fields.u);
+        let base = strip.lowest_section(wall, now.state)?;
         let values = [
             elevation,
-            fields.u[strip.top()],
+            fields.u[strip.top(wall)],
             shear,
             moment,
-            dot(&self.bottom, &acceleration),
+            bottom,
             base[1],
             base[0],
             reaction.section[2],
             reaction.damping[2],
             reaction.inertia[2],
-            strip.largest_acceleration(&fields.a, now.ground[0]).0,
+            strip.largest_acceleration(wall, &fields.a, ground[0]).0,
         ];
 
         let history = &mut self.history;
@@ -144,12 +162,57 @@ impl<'a> WallObserver<'a> {
         }
         history.times.push(now.time);
         history.scalars.iter_mut().zip(values).for_each(|(h, v)| h.push(v));
-        for (&node, (rest, range)) in strip.wall.iter().zip(&mut history.deflection) {
+        for (&node, (rest, range)) in wall.nodes.iter().zip(&mut history.deflection) {
             let deflection = strip.model.at_node(&fields.u, node)[Dof::Ux.index()];
             if start {
                 *rest = deflection;
             }
             range.include(deflection, now.time);
+        }
+        self.see_pressures(now, &sight, elevation);
+        self.inspect(now, &reaction);
+        Ok(())
+    }
+
+    /// What is kept of the liquid at rest.
+    fn sight(&self, now: &Instant<'_>) -> Vec<f64> {
+        let (strip, fields) = (self.strip, &now.state.committed);
+        let Some(chain) = &strip.chain else { return strip.face_of(&fields.u) };
+        let levels = chain.look(strip, self.side as usize, now.state);
+        let mut out: Vec<f64> = levels.iter().map(|level| level.touch.pressure).collect();
+        out.extend(levels.iter().map(|level| level.rise));
+        out.push(chain.bottom_moment(self.side as usize, fields, now.ground));
+        out
+    }
+
+    /// Elevation of the surface at the wall, and moment of the dynamic pressure on the bottom.
+    fn of_liquid(&self, now: &Instant<'_>, sight: &[f64]) -> [f64; 2] {
+        let (strip, fields) = (self.strip, &now.state.committed);
+        if strip.chain.is_none() {
+            let acceleration = strip.face_acceleration(&fields.a, now.ground[0]);
+            return [strip.elevation(&fields.u), dot(&self.bottom, &acceleration)];
+        }
+        let last = sight.len() - 1;
+        [last - 1, last].map(|i| sight[i] - self.rest[i])
+    }
+
+    /// Takes in the dynamic pressures, and whether the liquid leaves the wall.
+    fn see_pressures(&mut self, now: &Instant<'_>, sight: &[f64], elevation: f64) {
+        let (strip, history, fields) = (self.strip, &mut self.history, &now.state.committed);
+        if let Some(chain) = &strip.chain {
+            let wet = history.pressure.len();
+            let change = |i: usize| sight[i] - self.rest[i];
+            for (i, (_, range)) in history.pressure.iter_mut().enumerate() {
+                range.include(change(i), now.time);
+            }
+            if let Some(openings) = &mut history.openings {
+                let levels = chain.look(strip, self.side as usize, now.state);
+                openings.see(now.time, levels[1..].iter().map(|l| (l.touch.gap, l.touch.penetration)));
+                return;
+            }
+            let middle = |i: usize| 0.5 * (change(i) + change(i + 1));
+            history.separation.see(now.time, middle, |i| middle(wet + i), elevation);
+            return;
         }
         if let (Some(joints), Some(openings)) = (&strip.joints, &mut history.openings) {
             let touches = joints.look(&strip.model, now.state);
@@ -158,10 +221,10 @@ impl<'a> WallObserver<'a> {
                 range.include(touch.pressure - at_rest, now.time);
             }
             openings.see(now.time, touches.iter().map(|t| (t.gap, t.penetration)));
-            self.inspect(now, &reaction);
-            return Ok(());
+            return;
         }
-        let moved: Vec<f64> = displacement.iter().zip(&self.rest).map(|(u, r)| u - r).collect();
+        let acceleration = strip.face_acceleration(&fields.a, now.ground[0]);
+        let moved: Vec<f64> = sight.iter().zip(&self.rest).map(|(u, r)| u - r).collect();
         let liquid = &strip.tank.liquid;
         let pressure = |place: &Place| {
             let depth = (liquid.depth - place.height).max(0.0);
@@ -173,8 +236,6 @@ impl<'a> WallObserver<'a> {
         }
         let middles = &self.places[wet..];
         history.separation.see(now.time, |i| pressure(&middles[i]), |i| dot(&middles[i].rise, &moved), elevation);
-        self.inspect(now, &reaction);
-        Ok(())
     }
 
     /// Keeps a state where one is due.
@@ -195,8 +256,8 @@ impl<'a> WallObserver<'a> {
         let cracks = wet.iter().zip(dry).map(|(a, b)| a[0].max(b[0])).collect();
         self.history.states.push(WallState {
             time: now.time,
-            displacement: strip.wall.iter().map(at).collect(),
-            waves: strip.amplitudes.iter().zip(&strip.liquid.elevation).map(|(&e, wave)| u[e] * wave).collect(),
+            displacement: strip.wall(self.side).nodes.iter().map(at).collect(),
+            surface: strip.surface(self.side, u),
             cracks,
         });
     }
@@ -208,14 +269,15 @@ impl<'a> WallObserver<'a> {
         let mut gather = Gather::default();
         let mut faces = [Vec::new(), Vec::new()];
         let mut seen: [Option<(f64, f64)>; EventKind::ALL.len()] = [None; EventKind::ALL.len()];
-        let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
-        for (e, (element, section)) in beams {
+        let wall = strip.wall(self.side);
+        for (e, (number, section)) in wall.elements.clone().zip(&strip.tank.sections).enumerate() {
+            let element = &strip.model.elements()[number];
             let motion = gather.motion(&strip.model, &now.state.committed, &**element);
             let (mut cell, mut widest) = (Cell::default(), [[0.0_f64; 2]; 2]);
             let (mut point, mut cracked) = (usize::MAX, 0);
             let shells = strip.tank.shells.as_ref();
             let layers = shells.map_or(section.layers(), |s| s.rows[e].layers);
-            element.material_points(motion, &now.state.old[now.state.history(e)], &mut |fibre| {
+            element.material_points(motion, &now.state.old[now.state.history(number)], &mut |fibre| {
                 if shells.is_some_and(|s| !s.bends(fibre.point)) {
                     return;
                 }
@@ -255,7 +317,7 @@ impl<'a> WallObserver<'a> {
             self.history.cells[e].include(&cell);
             faces.iter_mut().zip(widest).for_each(|(face, w)| face.push(w));
         }
-        self.validity.see(strip, now, reaction, bar);
+        self.validity.see((strip, wall), now, reaction, bar);
         for (kind, place) in EventKind::ALL.into_iter().zip(seen) {
             let events = &mut self.history.events;
             if let Some((height, depth)) = place
@@ -320,7 +382,7 @@ impl Observe for WallObserver<'_> {
         for state in &h.states {
             to.number(state.time);
             to.numbers(state.displacement.as_flattened());
-            to.numbers(&state.waves);
+            to.numbers(&state.surface);
             to.numbers(&state.cracks);
         }
     }
@@ -374,7 +436,7 @@ impl Observe for WallObserver<'_> {
             h.states.push(WallState {
                 time: from.number()?,
                 displacement: from.numbers("displacements of a picture")?.as_chunks::<2>().0.to_vec(),
-                waves: from.numbers("waves of a picture")?,
+                surface: from.numbers("the surface of a picture")?,
                 cracks: from.numbers("cracks of a picture")?,
             });
         }

@@ -68,6 +68,7 @@ fn strip(section: FibreSection, damping: StripDamping) -> StripModel {
         liquid: StripLiquid::new(2.5, DEPTH, 1019.4),
         sloshing: 12,
         contact: Contact::Bonded,
+        mesh: None,
     };
     StripModel::new(&tank, damping).unwrap()
 }
@@ -112,7 +113,7 @@ fn the_reaction_is_section_damping_inertia_and_load() {
     let strip = strip(section(concrete(softening), bar()), BY_GROUP);
     let [mut worst, mut largest, mut cracked] = [0.0_f64; 3];
     observe(&strip, &quake(2.0, 1.0, 0.8, 0.9), |now| {
-        let reaction = strip.base_reaction(now.state, now.ground).unwrap();
+        let reaction = strip.base_reaction(&strip.walls[0], now.state, now.ground).unwrap();
         let element = &*strip.model.elements()[0];
         let mut gather = Gather::default();
         let motion = gather.motion(&strip.model, &now.state.committed, element);
@@ -150,7 +151,7 @@ fn the_reaction_of_an_elastic_wall_is_the_linear_one() {
             + apply(&row.velocity, &fields.v)
             + apply(&row.acceleration, &fields.a)
             + total[0] * now.ground[0];
-        let found = strip.base_reaction(now.state, now.ground).unwrap().total()[2];
+        let found = strip.base_reaction(&strip.walls[0], now.state, now.ground).unwrap().total()[2];
         let [own0, found0] = *rest.get_or_insert([own, found]);
         worst = worst.max((found - found0 - (own - own0)).abs());
         largest = largest.max((own - own0).abs());
@@ -174,7 +175,7 @@ fn the_section_bears_its_yield_moment_and_hardening() {
         curvature = curvature.max(sections[0].strain[3].abs());
         own = own.max(sections[0].resultants[3].abs());
         axial = axial.min(sections[0].resultants[0]);
-        let total = strip.base_reaction(now.state, now.ground).unwrap().total()[2];
+        let total = strip.base_reaction(&strip.walls[0], now.state, now.ground).unwrap().total()[2];
         reaction = reaction.max(total.abs());
     });
     let path: Vec<f64> = (0..=400).map(|i| curvature * f64::from(i) / 400.0).collect();

@@ -8,7 +8,7 @@ use std::thread::{self, ThreadId};
 
 use fem::progress::{Progress, Silent};
 use results::nonlinear::End;
-use tank::options::nonlinear::{Contact, NonlinearOptions};
+use tank::options::nonlinear::{Contact, LiquidForm, NonlinearOptions};
 
 use super::super::Strip;
 use super::{options, reinforced, run};
@@ -54,13 +54,15 @@ fn file(folder: &Path, key: &str) -> CheckpointFile {
 #[test]
 fn resumed_is_uninterrupted() {
     for contact in [Contact::Bonded, Contact::Opening] {
-        resumed_with(contact);
+        resumed_with(contact, LiquidForm::Condensed, 2);
+        // Both walls in one file.
+        resumed_with(contact, LiquidForm::Displacement, 1);
     }
 }
 
-fn resumed_with(contact: Contact) {
+fn resumed_with(contact: Contact, liquid: LiquidForm, files: usize) {
     let case = reinforced(6.0);
-    let own = NonlinearOptions { contact, ..options(&case, 12) };
+    let own = NonlinearOptions { contact, liquid, ..options(&case, 12) };
     let every = Some(0.05);
     let whole = simulate_with_states(&case, &own, (every, None), &Silent).unwrap();
     assert_eq!(whole.series, run(&case, &own).series);
@@ -70,7 +72,7 @@ fn resumed_with(contact: Contact) {
         let part = simulate_with_states(&case, &own, (every, Some(&file)), &StopAfter::steps(steps)).unwrap();
         assert!(part.result.incomplete);
         assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
-        assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
+        assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), files);
     }
     let resumed = simulate_with_states(&case, &own, (every, Some(&file)), &Silent).unwrap();
     assert_eq!(resumed.values, whole.values);
@@ -80,7 +82,7 @@ fn resumed_with(contact: Contact) {
     // Assertion without the text of all states.
     assert!(resumed.snapshots == whole.snapshots && whole.snapshots.is_some_and(|s| s.states.len() > 20));
     // Kept until the results are written.
-    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), files);
     file.remove();
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
 }
