@@ -44,6 +44,10 @@ fn options() {
     has(&with("\"integration\": { \"concrete\": \"simpson 8\" }"), &["integration.concrete", "odd number"]);
     has(&with("\"integration\": { \"concrete\": \"midpoint 2000\" }"), &["too few or too many points"]);
     has(&spoiled("\"opening\"", "\"open\""), &["analysis.nonlinear.contact", "\"bonded\" or \"opening\""]);
+    has(&with("\"liquid\": \"displacement\""), &["analysis.nonlinear.liquid", "liquid applies to a strip alone"]);
+    for key in ["\"contact_tangential\": \"1 MN/m3\"", "\"liquid_elements\": 10"] {
+        has(&with(key), &["applies to a displacement liquid alone", "\"liquid\": \"displacement\" beside it"]);
+    }
     has(&with("\"step\": \"coarse\""), &["analysis.nonlinear.step", "\"fixed\" or \"adaptive\""]);
     has(
         &with("\"step\": \"adaptive\""),

@@ -47,6 +47,9 @@ fn options_of_another_engine_are_refused() {
         command.extend(option);
         refused(&command, &out, &[option[0], "--fe solid"]);
     }
+    // A strip has a displacement liquid, a cylinder has not.
+    let displacement = ["--fe", "nonlinear", "--liquid", "displacement"];
+    refused_for(CYLINDER, &displacement, &out, &["displacement liquid", "strip", "--fe solid"]);
 }
 
 #[test]

@@ -63,7 +63,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         tank = elastic_tank(get("elements", 15.0) as usize, tank.options)?;
     }
     if get("shells", 0.0) > 0.0 {
-        tank = with_cracking_shells(tank, get("layers", 30.0) as usize, get("softening", 3e-4))?;
+        tank = with_cracking_shells(tank, get("layers", 30.0) as usize, get("softening", 3e-4))
+            .map_err(|error| error.to_string())?;
     }
     let columns = get("columns", 0.0) as usize;
     let given = |name: &str| Some(get(name, 0.0)).filter(|v| *v > 0.0);

@@ -268,14 +268,7 @@ pub(super) fn model(tank: &StripTank, mesh: &LiquidMesh, damping: StripDamping) 
     system.influence[0] = model.vector(along);
     system.inertia[0] = assembler.inertia(&model, along);
     let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
-    let mut pressure = vec![0.0; model.dofs().len()];
-    for (node, force) in own_weight {
-        for (dof, f) in PLANE.into_iter().zip(force) {
-            if let Some(e) = model.dofs().equation(node, dof) {
-                pressure[e] += f;
-            }
-        }
-    }
+    let pressure = in_order(&model, &own_weight);
     let heights = tank.levels[..=top].to_vec();
     let length = |i: usize| if i == 0 || i > top { 0.0 } else { heights[i] - heights[i - 1] };
     let shares = (0..=top).map(|i| 0.5 * (length(i) + length(i + 1))).collect();
@@ -307,6 +300,19 @@ pub(super) fn model(tank: &StripTank, mesh: &LiquidMesh, damping: StripDamping) 
             shares,
         }),
     })
+}
+
+/// Nodal forces along [`PLANE`] as a load.
+fn in_order(model: &Model, forces: &[(usize, [f64; 2])]) -> Vec<f64> {
+    let mut out = vec![0.0; model.dofs().len()];
+    for (node, force) in forces {
+        for (dof, f) in PLANE.into_iter().zip(force) {
+            if let Some(e) = model.dofs().equation(*node, dof) {
+                out[e] += f;
+            }
+        }
+    }
+    out
 }
 
 /// Moments of the ground on both halves of the bottom about y, in the axes of their walls; their part of the ground is that along the tank's axes.

@@ -55,9 +55,13 @@ fn cracked_concrete() -> Result<UniaxialConcrete, StripError> {
     UniaxialConcrete::new(PLANE_MODULUS, compression, None).map_err(law_error)
 }
 
-fn concrete(softening_strain: f64) -> Result<UniaxialConcrete, StripError> {
-    let tension =
-        Tension { strength: TENSION, softening: Softening::Strain { softening_strain }, stiffening: None, bond: None };
+/// Softening over this strain; brittle over none.
+pub(super) fn softening(strain: f64) -> Softening {
+    if strain == 0.0 { Softening::Brittle } else { Softening::Strain { softening_strain: strain } }
+}
+
+fn concrete(strain: f64) -> Result<UniaxialConcrete, StripError> {
+    let tension = Tension { strength: TENSION, softening: softening(strain), stiffening: None, bond: None };
     let compression = Compression::Plastic { strength: COMPRESSION };
     UniaxialConcrete::new(PLANE_MODULUS, compression, Some(tension)).map_err(law_error)
 }

@@ -18,7 +18,7 @@
 use std::sync::Arc;
 
 use materials::bar::Bar as BarLaw;
-use materials::concrete::{CrackedConcrete, CrackedParameters, Softening, Tension};
+use materials::concrete::{CrackedConcrete, CrackedParameters, Tension};
 use oscillator::record::Record;
 
 use super::section::reinforced;
@@ -81,12 +81,8 @@ fn elastic([e, nu, t, density]: [f64; 4], stiff: bool) -> Result<Leaf, Failure> 
 /// Cracking concrete in `layers` that softens over the strain `softening`, with 7 cm²/m up the wall at each face.
 fn cracking(layers: usize, softening: f64) -> Result<Leaf, Failure> {
     let [young, nu, thickness, density] = WALL;
-    let tension = Tension {
-        strength: 3.5e6,
-        softening: Softening::Strain { softening_strain: softening },
-        stiffening: None,
-        bond: None,
-    };
+    let tension =
+        Tension { strength: 3.5e6, softening: super::section::softening(softening), stiffening: None, bond: None };
     let law = CrackedConcrete::new(&CrackedParameters::new(young, nu, 35e6, tension))?;
     let ply = Ply { law: Arc::new(law), thickness, density, rule: Rule::MidPoint(layers) };
     let mut bars = Vec::new();

@@ -202,8 +202,8 @@ const CONTACT: &[Line] = &[
     ),
     line(
         "three parts of a partly closed joint (figure 7.3)",
-        "`contact8`, which clips the closed part exactly: `--liquid displacement`, where it is bonded",
-        &[Rows("C7")],
+        "`contact8`, which clips the closed part exactly: `--liquid displacement` of `--fe nonlinear` with `contact: \"opening\"`; bonded in `--fe solid`",
+        &[Rows("C7"), Rows("chain-8.15")],
     ),
 ];
 
@@ -263,10 +263,21 @@ const EXAMPLES: &[Line] = &[
         &[Rows("strip-shells")],
     ),
     line(
+        "8.4 the whole chain: liquid elements, contact elements and both walls in one nonlinear history",
+        "`--fe nonlinear --liquid displacement` of a strip",
+        &[
+            Rows("strip-chain"),
+            Run(
+                "compare examples/06_sandwich_strip/tank.json --quake examples/records/elcentro.csv --fe nonlinear --liquid displacement --no-mesh-error",
+            ),
+        ],
+    ),
+    line(
         "8.4.6 the same with contact (table 8.15)",
         "`examples/06_sandwich_strip/opening`",
         &[
             Rows("C8"),
+            Rows("chain-8.15"),
             Run(
                 "compare examples/06_sandwich_strip/opening/tank.json --quake examples/records/elcentro.csv --fe nonlinear --no-mesh-error",
             ),
@@ -277,6 +288,7 @@ const EXAMPLES: &[Line] = &[
         "`ida`; [what the table measures](table-8-16.md)",
         &[
             Rows("table-8.16"),
+            Rows("chain-8.16"),
             Run("ida examples/06_sandwich_strip/tank.json --quake examples/records/elcentro.csv --scale 0.1,0.2"),
         ],
     ),
