@@ -7,7 +7,7 @@ use super::section::course_at;
 use crate::FeError;
 use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, THE_PROGRAM, first_wall_frequency};
 use crate::nonlinear::cylinder::estimate::slots;
-use tank::options::nonlinear::{LiquidForm, NonlinearOptions, StripWall};
+use tank::options::nonlinear::{Contact, LiquidForm, NonlinearOptions, StripWall};
 
 /// Numbers that a step of a wall leaves behind: seven histories, time, energies, pressures that are followed.
 const AT_STEP: f64 = 18.0;
@@ -30,9 +30,9 @@ const FIBRE: f64 = 4.0 * 17.0;
 const FLOPS: f64 = 5e9;
 /// Dense blocks of a wall: stiffness and mass of the liquid, effective matrix, factor.
 const BLOCKS: f64 = 4.0;
-/// Time of an element of a displacement liquid in one iteration [s], most of it its part of the factor, and its bytes in the model: example 06 with 240
-/// and 952 of them.
-const CELL_TIME: f64 = 5e-6;
+/// Time of an element of a displacement liquid in one iteration [s]: bonded, the factor kept; with joints that open, a factor each time. Example 06 with
+/// 240 elements: 12 and 72 s. Bytes of such an element in the model, with 240 and 960 of them.
+const CELL_TIME: [f64; 2] = [1.5e-6, 4.5e-6];
 const CELL: f64 = 20_000.0;
 /// Bytes of a beam in the model: section, element, matrices.
 const BEAM: f64 = 20_000.0;
@@ -67,7 +67,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
         _ => 0.0,
     };
     let liquid = match cells > 0.0 {
-        true => 0.5 * cells * CELL_TIME,
+        true => 0.5 * cells * CELL_TIME[usize::from(options.contact == Contact::Opening)],
         false => coupled.powi(3) / 3.0 / FLOPS,
     };
     let iteration = beams * (element + fibres * section) + liquid;

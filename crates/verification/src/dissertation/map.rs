@@ -110,10 +110,8 @@ Computed in [B02], reachable in parts:
 | system | what is missing | reason |
 |---|---|---|
 | damping by single dashpots (3.12) | one dashpot at an angle; rings of them are `analysis.damping.dashpots` | a single one couples the harmonics around the tank, which the engines keep apart; no tank of [B02] has one |
-| tangential stiffness of the joint (7.3), (7.4) | a key; parameter of `contact8`, rows C7 without it | [B02] sets it to zero for water |
 | Drucker-Prager with kinematic hardening (4.93) in a wall | law at a point only | (6.2) uses the ideally plastic cone; the hardening has no bound |
 | two-surface plasticity and fracturing solid in bricks | layers of shells take them (verify shell-concrete-patch) | [B02] names them without parameters and computes no brick of concrete with them |
-| contact with the displacement liquid in time | `--liquid displacement` is linear and bonded | 8.4.6 shows no influence; `contact: \"opening\"` answers the question with the condensed liquid |
 
 Described in [B02] but not computed there:
 

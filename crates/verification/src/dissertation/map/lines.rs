@@ -288,7 +288,6 @@ const EXAMPLES: &[Line] = &[
         "`ida`; [what the table measures](table-8-16.md)",
         &[
             Rows("table-8.16"),
-            Rows("chain-8.16"),
             Run("ida examples/06_sandwich_strip/tank.json --quake examples/records/elcentro.csv --scale 0.1,0.2"),
         ],
     ),
