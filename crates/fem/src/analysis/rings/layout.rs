@@ -7,10 +7,10 @@ use std::sync::Arc;
 use super::wide::{Wide, wide};
 use crate::analysis::{AnalysisError, failed};
 use crate::assembly::Assembler;
-use crate::dofs::Dof;
+use crate::dofs::{Dof, DofMap};
 use crate::linalg::{Matrix, Ordering, Pattern, Symbolic, Symmetric};
 use crate::model::Model;
-use crate::ring::{Ring, RingAmplitude};
+use crate::ring::{NodeRings, Ring, RingAmplitude};
 
 /// Marks unknowns that are held and places that are left out.
 pub(super) const NONE: u32 = u32::MAX;
@@ -66,6 +66,37 @@ pub struct RingLayout {
     sloshing: Vec<bool>,
 }
 
+/// Unknowns of a meridian.
+struct Meridian {
+    rows: Vec<Vec<u32>>,
+    odd: Vec<bool>,
+    /// Row and meridian of each equation; the row is [`NONE`] where it is on none.
+    of: Vec<(u32, u32)>,
+}
+
+impl Meridian {
+    /// * `apart`: equations that are left out
+    fn of(rings: &NodeRings, dofs: &DofMap, apart: impl Fn(usize) -> bool) -> Meridian {
+        let (mut rows, mut odd) = (Vec::new(), Vec::new());
+        let mut of = vec![(NONE, 0_u32); dofs.len()];
+        for nodes in &rings.nodes {
+            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry, Dof::Rz, Dof::Amplitude] {
+                let number = |&n: &usize| dofs.equation(n, dof).filter(|e| !apart(*e)).map_or(NONE, |e| e as u32);
+                let own: Vec<u32> = nodes.iter().map(number).collect();
+                if own.iter().all(|e| *e == NONE) {
+                    continue;
+                }
+                for (k, &e) in own.iter().enumerate().filter(|(_, e)| **e != NONE) {
+                    of[e as usize] = (rows.len() as u32, k as u32);
+                }
+                rows.push(own);
+                odd.push(matches!(dof, Dof::Uy | Dof::Ry | Dof::Rz));
+            }
+        }
+        Meridian { rows, odd, of }
+    }
+}
+
 /// Unknowns of a zone, and those of them that the outside touches.
 #[derive(Clone, Copy)]
 pub(in crate::analysis) struct Without<'a> {
@@ -95,22 +126,7 @@ impl RingLayout {
         };
         let rings = model.rings().ok_or_else(|| missing("no rings of nodes".into()))?;
         let dofs = model.dofs();
-        let (mut rows, mut odd) = (Vec::new(), Vec::new());
-        let mut of = vec![(NONE, 0_u32); dofs.len()];
-        for nodes in &rings.nodes {
-            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry, Dof::Rz, Dof::Amplitude] {
-                let number = |&n: &usize| dofs.equation(n, dof).filter(|e| !apart(*e)).map_or(NONE, |e| e as u32);
-                let own: Vec<u32> = nodes.iter().map(number).collect();
-                if own.iter().all(|e| *e == NONE) {
-                    continue;
-                }
-                for (k, &e) in own.iter().enumerate().filter(|(_, e)| **e != NONE) {
-                    of[e as usize] = (rows.len() as u32, k as u32);
-                }
-                rows.push(own);
-                odd.push(matches!(dof, Dof::Uy | Dof::Ry | Dof::Rz));
-            }
-        }
+        let Meridian { rows, odd, of } = Meridian::of(rings, dofs, apart);
         let mut amplitudes = Vec::new();
         let mut operators = Vec::new();
         for placed in assembler.operators(model) {
