@@ -36,6 +36,7 @@
 mod inspect;
 mod lanes;
 mod mixed;
+mod place;
 pub(super) mod rows;
 mod strain;
 mod turn;
@@ -239,7 +240,7 @@ impl Shell4 {
         let Trial { motion, old, new, want } = trial;
         let arch = pulp::Arch::new();
         let c = self.configuration(&motion);
-        let (strains, slopes) = arch.dispatch(Strains { shell: self, c: &c });
+        let (strains, slopes) = arch.dispatch(Strains { own: &self.fours, values: self.values(&c), c: &c });
         let common = want.tangent.then(|| self.common(&c));
         let extrapolated = match &kept {
             Some(kept) if want.tangent => self.extrapolate(kept, &motion),
@@ -277,7 +278,16 @@ impl Shell4 {
         }
         if want.force {
             let (force, turned) = (&mut out.force[..], common.is_none());
-            arch.dispatch(Forces { shell: self, c: &c, slopes: &slopes, resultants: &resultants, turned, force });
+            let centre = (self.membrane_shear == MembraneShear::CentrePoint).then_some(&self.centre);
+            arch.dispatch(Forces {
+                own: &self.fours,
+                centre,
+                c: &c,
+                slopes: &slopes,
+                resultants: &resultants,
+                turned,
+                force,
+            });
         }
         if want.tangent {
             out.tangent.mirror();

@@ -12,8 +12,8 @@
 
 use nalgebra::Vector3;
 
-use super::strain::{Configuration, EDGES};
-use super::{MembraneShear, Shell4, Turn};
+use super::place::{Configuration, EDGES, Values, tying};
+use super::turn::Turn;
 use crate::element::shell::geometry::{Point, blend};
 
 /// One number of each point.
@@ -45,7 +45,7 @@ impl Fours {
             d2: std::array::from_fn(|a| of(&|p| p.d2[a])),
             x1: base(|p| &p.d1),
             x2: base(|p| &p.d2),
-            tying: std::array::from_fn(|i| std::array::from_fn(|e| of(&|p| Shell4::tying(p)[i][e]))),
+            tying: std::array::from_fn(|i| std::array::from_fn(|e| of(&|p| tying(p)[i][e]))),
             area: of(&|p| p.area),
             turn: None,
         }
@@ -59,13 +59,16 @@ impl Fours {
 
 /// Strains in the frame of the section, component by component, with the slopes of the configuration.
 pub(super) struct Strains<'a> {
-    pub(super) shell: &'a Shell4,
+    pub(super) own: &'a Fours,
+    pub(super) values: Values,
     pub(super) c: &'a Configuration,
 }
 
 /// Adds the forces of resultants, component by component.
 pub(super) struct Forces<'a> {
-    pub(super) shell: &'a Shell4,
+    pub(super) own: &'a Fours,
+    /// Where the membrane shear is taken for all points; none where each has its own.
+    pub(super) centre: Option<&'a Point>,
     pub(super) c: &'a Configuration,
     pub(super) slopes: &'a Slopes,
     pub(super) resultants: &'a [Four; 8],
@@ -183,9 +186,8 @@ impl pulp::WithSimd for Strains<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) -> Self::Output {
-        let Strains { shell, c } = self;
-        let (own, r) = (&shell.fours, Registers(simd));
-        let values = shell.values(c);
+        let Strains { own, values, c } = self;
+        let r = Registers(simd);
         let (mut out, mut slopes) = ([[0.0; 4]; 8], Slopes([[[0.0; 4]; 3]; 4]));
         let zero = simd.splat_f64s(0.0);
         for k in 0..Registers::<S>::COUNT {
@@ -234,11 +236,10 @@ impl pulp::WithSimd for Forces<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) {
-        let Forces { shell, c, slopes, resultants, turned, force } = self;
-        let (own, r) = (&shell.fours, Registers(simd));
+        let Forces { own, centre, c, slopes, resultants, turned, force } = self;
+        let r = Registers(simd);
         let (mut f, mut pull) = ([[0.0; 3]; 4], [[0.0; 3]; 4]);
         let (mut twist, mut edges) = (0.0, [0.0; 4]);
-        let full = shell.membrane_shear == MembraneShear::Full;
         for k in 0..Registers::<S>::COUNT {
             let area = r.load(&own.area, k);
             let mut n = r.load_all(resultants, k);
@@ -259,7 +260,7 @@ impl pulp::WithSimd for Forces<'_> {
             let d2 = r.load_all(&slopes.0[3], k);
             let mut p1 = r.sum([n11, m11, m12], [&x1, &d1, &d2]);
             let mut p2 = r.sum([n22, m22, m12], [&x2, &d2, &d1]);
-            if full {
+            if centre.is_none() {
                 for i in 0..3 {
                     p1[i] = simd.mul_add_e_f64s(n12, x2[i], p1[i]);
                     p2[i] = simd.mul_add_e_f64s(n12, x1[i], p2[i]);
@@ -281,10 +282,10 @@ impl pulp::WithSimd for Forces<'_> {
             }
         }
         let (mut f, mut pull) = (f.map(Vector3::from), pull.map(Vector3::from));
-        if !full {
-            let (y1, y2) = (blend(&shell.centre.d1, &c.x), blend(&shell.centre.d2, &c.x));
+        if let Some(centre) = centre {
+            let (y1, y2) = (blend(&centre.d1, &c.x), blend(&centre.d2, &c.x));
             for a in 0..4 {
-                f[a] += y2 * (twist * shell.centre.d1[a]) + y1 * (twist * shell.centre.d2[a]);
+                f[a] += y2 * (twist * centre.d1[a]) + y1 * (twist * centre.d2[a]);
             }
         }
         for (&(a, b), q) in EDGES.iter().zip(edges) {

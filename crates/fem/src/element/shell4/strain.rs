@@ -2,33 +2,17 @@
 
 use nalgebra::Vector3;
 
+use super::place::{Configuration, EDGES, Values};
 use super::rows::{Row, SIZE, put};
 use super::{MembraneShear, Shell4};
 use crate::element::shell::director::{add_turn_block, turned};
 use crate::element::shell::geometry::{Point, blend};
 use crate::element::{LocalMatrix, Motion};
 
-/// The four edges (from, to) with the strain they sample: along r at s = −1 and 1, along s at r = 1 and −1.
-pub(super) const EDGES: [(usize, usize); 4] = [(0, 1), (3, 2), (1, 2), (0, 3)];
-
-/// Positions, directors and their increments.
-pub(super) struct Configuration {
-    pub(super) x: [Vector3<f64>; 4],
-    pub(super) u: [Vector3<f64>; 4],
-    pub(super) d: [Vector3<f64>; 4],
-    pub(super) w: [Vector3<f64>; 4],
-}
-
 /// Rows of membrane shear and edge shears, common to all points.
 pub(super) struct Common {
     shear: Option<Row>,
     edges: [Row; 4],
-}
-
-/// Membrane shear and edge shears, common to all points.
-pub(super) struct Values {
-    pub(super) shear: Option<f64>,
-    pub(super) edges: [f64; 4],
 }
 
 /// Weighted resultants that multiply the constant second derivatives of the strains.
@@ -112,13 +96,6 @@ impl Shell4 {
         }
     }
 
-    /// Factors of the four edge shears in γ_1 and γ_2 at a point.
-    pub(super) fn tying(p: &Point) -> [[f64; 4]; 2] {
-        let [r, s] = p.natural;
-        let weight = [0.5 * (1.0 - s), 0.5 * (1.0 + s), 0.5 * (1.0 + r), 0.5 * (1.0 - r)];
-        [0, 1].map(|i| std::array::from_fn(|e| weight[e] * p.contravariant[e / 2][i]))
-    }
-
     /// Rows of the strains at a point.
     pub(super) fn rows(p: &Point, c: &Configuration, common: &Common) -> [Row; 8] {
         let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
@@ -138,7 +115,7 @@ impl Shell4 {
             put(&mut rows[5], k + 3, t2 * n1 + t1 * n2);
         }
         rows[2] = common.shear.unwrap_or_else(|| Self::membrane_shear_row(p, c));
-        for (i, tying) in Self::tying(p).iter().enumerate() {
+        for (i, tying) in super::place::tying(p).iter().enumerate() {
             for (&factor, row) in tying.iter().zip(&common.edges) {
                 for (to, from) in rows[6 + i].iter_mut().zip(row) {
                     *to += factor * from;
@@ -164,7 +141,7 @@ impl Shell4 {
             0.0,
             0.0,
         ];
-        for (i, tying) in Self::tying(p).iter().enumerate() {
+        for (i, tying) in super::place::tying(p).iter().enumerate() {
             for (&factor, value) in tying.iter().zip(&common.edges) {
                 strain[6 + i] += factor * value;
             }
@@ -186,7 +163,7 @@ impl Shell4 {
                 out.xd[a][b] += m11 * aa + m22 * bb + m12 * (p.d1[a] * p.d2[b] + p.d2[a] * p.d1[b]);
             }
         }
-        let tying = Self::tying(p);
+        let tying = super::place::tying(p);
         for (e, &(a, b)) in EDGES.iter().enumerate() {
             let q = 0.25 * (q1 * tying[0][e] + q2 * tying[1][e]);
             for n in [a, b] {
