@@ -60,7 +60,7 @@ pub(super) fn wide(
     of: &[(u32, u32)],
     without: impl Fn(usize, usize) -> bool,
 ) -> Vec<Wide> {
-    let mut found: BTreeMap<(u32, u32), (bool, Vec<(usize, u32, u32)>)> = BTreeMap::new();
+    let mut found: BTreeMap<(u32, u32), (bool, Wide)> = BTreeMap::new();
     for j in 0..pattern.size() {
         for p in pattern.starts[j]..pattern.starts[j + 1] {
             let (a, b) = (of[pattern.rows[p]], of[j]);
@@ -69,11 +69,11 @@ pub(super) fn wide(
             }
             let (high, low) = if a.0 < b.0 { (b, a) } else { (a, b) };
             let apart = high.1.abs_diff(low.1) as usize;
-            let own = found.entry((high.0, low.0)).or_default();
+            let none = || (false, Wide { row: high.0, column: low.0, entries: Vec::new() });
+            let own = found.entry((high.0, low.0)).or_insert_with(none);
             own.0 |= apart.min(ring.sectors() - apart) > REACH;
-            own.1.push((p, high.1, low.1));
+            own.1.entries.push((p, high.1, low.1));
         }
     }
-    let found = found.into_iter().filter(|(_, (far, _))| *far);
-    found.map(|((row, column), (_, entries))| Wide { row, column, entries }).collect()
+    found.into_values().filter(|(far, _)| *far).map(|(_, wide)| wide).collect()
 }
