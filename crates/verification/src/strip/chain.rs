@@ -63,7 +63,7 @@ const VECTORS: usize = 40;
 /// Frequency [rad/s] and effective mass of the modes near `omega` that the ground excites, by a Krylov space of (K + ω² M)⁻¹ M: eigenvalue
 /// solvers for single pairs meet hundreds of circulations next to the mode of the wall.
 fn excited(strip: &StripModel, omega: f64) -> Result<Vec<[f64; 2]>, StripError> {
-    let failed = |e| AnalysisError::from(fem::analysis::failed("modes of the chain")(e));
+    let failed = |e| fem::analysis::failed("modes of the chain")(e);
     let (k, m) = (&strip.system.stiffness, &strip.system.mass);
     let mut shifted = k.clone();
     shifted.values.iter_mut().zip(&m.values).for_each(|(k, m)| *k += omega * omega * m);
