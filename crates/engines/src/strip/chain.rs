@@ -10,9 +10,9 @@
 //! The liquid is linear, so that a cell of it is a [`SuperElement`] over two displacements of four nodes, assembled once. Walls are in axes of
 //! their own ([`PlacedWall`]): the ground moves the second one by −a, and its contact elements turn its components.
 //!
-//! Where nothing opens and the walls are linear the motion is antisymmetric, and one wall under the record of either sign would do. Walls that
-//! crack, and joints that open, are not: the hydrostatic pressure bends the walls apart and the earthquake to one side. So both stand in the model,
-//! whatever it is used for.
+//! With elastic walls and bonded joints the motion is antisymmetric, and one wall under the record of either sign would be enough. Cracks and
+//! open joints break the symmetry: the hydrostatic pressure bends the walls apart, the earthquake bends both to one side. The model therefore
+//! always has both walls.
 //!
 //! Modes, and the frequencies that damping is fitted to, are those of the condensed liquid: among the modes of the elements there are hundreds
 //! of circulations that the rotation penalty alone resists.

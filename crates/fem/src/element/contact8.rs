@@ -182,7 +182,7 @@ impl Contact8 {
         Ok(element)
     }
 
-    /// The same joint to a bottom whose unknowns along x point the other way: a wall that is modelled in axes of its own.
+    /// The same joint where the bottom face belongs to a wall whose x axis is reversed.
     pub fn with_mirrored_bottom(mut self) -> Contact8 {
         self.bottom[0] = -1.0;
         self
