@@ -255,39 +255,30 @@ impl Shell4 {
             let slots = g * len..(g + 1) * len;
             let (old, new) = (&old[slots.clone()], &mut new[slots]);
             let strain = strains.map(|of| of[g]);
-            match &common {
-                Some(common) => {
-                    self.section.respond(&strain, old, new, &mut section)?;
-                    let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
-                    turn.back(&mut section);
-                    let rows = Self::rows(p, &c, common);
-                    add_material(&rows, &section.tangent, p.area, &mut out.tangent);
-                    any |= section.resultants.iter().any(|&n| n != 0.0);
-                    if let Some(extrapolated) = &extrapolated {
-                        any |= extrapolated[g].iter().any(|&n| n != 0.0);
-                        self.stress(p, &extrapolated[g], &mut other);
-                    }
-                    if let Some(kept) = kept.as_deref_mut() {
-                        mixed::keep_point(kept, g, &section);
-                    }
-                    self.stress(p, &section.resultants, &mut stressed);
-                }
-                None => self.section.resist(&strain, old, new, &mut section)?,
+            match want.tangent {
+                true => self.section.respond(&strain, old, new, &mut section)?,
+                false => self.section.resist(&strain, old, new, &mut section)?,
             }
             resultants.iter_mut().zip(section.resultants).for_each(|(to, n)| to[g] = n);
+            let Some(common) = &common else { continue };
+            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
+            turn.back(&mut section);
+            let rows = Self::rows(p, &c, common);
+            add_material(&rows, &section.tangent, p.area, &mut out.tangent);
+            any |= section.resultants.iter().any(|&n| n != 0.0);
+            if let Some(extrapolated) = &extrapolated {
+                any |= extrapolated[g].iter().any(|&n| n != 0.0);
+                self.stress(p, &extrapolated[g], &mut other);
+            }
+            if let Some(kept) = kept.as_deref_mut() {
+                mixed::keep_point(kept, g, &section);
+            }
+            self.stress(p, &section.resultants, &mut stressed);
         }
         if want.force {
-            let (force, turned) = (&mut out.force[..], common.is_none());
+            let force = &mut out.force[..];
             let centre = (self.membrane_shear == MembraneShear::CentrePoint).then_some(&self.centre);
-            arch.dispatch(Forces {
-                own: &self.fours,
-                centre,
-                c: &c,
-                slopes: &slopes,
-                resultants: &resultants,
-                turned,
-                force,
-            });
+            arch.dispatch(Forces { own: &self.fours, centre, c: &c, slopes: &slopes, resultants: &resultants, force });
         }
         if want.tangent {
             out.tangent.mirror();

@@ -71,9 +71,8 @@ pub(super) struct Forces<'a> {
     pub(super) centre: Option<&'a Point>,
     pub(super) c: &'a Configuration,
     pub(super) slopes: &'a Slopes,
+    /// In the frame of the section.
     pub(super) resultants: &'a [Four; 8],
-    /// Whether they are in the frame of the section.
-    pub(super) turned: bool,
     pub(super) force: &'a mut [f64],
 }
 
@@ -236,7 +235,7 @@ impl pulp::WithSimd for Forces<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) {
-        let Forces { own, centre, c, slopes, resultants, turned, force } = self;
+        let Forces { own, centre, c, slopes, resultants, force } = self;
         let r = Registers(simd);
         let (mut f, mut pull) = ([[0.0; 3]; 4], [[0.0; 3]; 4]);
         let (mut twist, mut edges) = (0.0, [0.0; 4]);
@@ -247,7 +246,7 @@ impl pulp::WithSimd for Forces<'_> {
                 n[i] = simd.mul_f64s(area, n[i]);
             }
             let (mut plane, mut bent, mut across) = ([n[0], n[1], n[2]], [n[3], n[4], n[5]], [n[6], n[7]]);
-            if turned && let Some([cosine, sine]) = &own.turn {
+            if let Some([cosine, sine]) = &own.turn {
                 let [c, s] = [r.load(cosine, k), r.load(sine, k)];
                 (plane, bent) = (r.turn(plane, [c, s], false), r.turn(bent, [c, s], false));
                 let [a, b] = across;
