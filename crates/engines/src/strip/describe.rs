@@ -135,6 +135,13 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
             super::LARGEST_DEFLECTION
         ),
     ];
+    if options.liquid == LiquidForm::Displacement {
+        out.push(
+            "Sloshing modes above the first are too fast in displacement elements: with 240 of them the wave under El Centro was 4 to 10 % \
+             higher than with the condensed liquid, and a finer mesh is not always nearer."
+                .into(),
+        );
+    }
     if options.liquid == LiquidForm::Displacement && matches!(options.damping, Damping::ByGroup { .. }) {
         out.push(
             "Damping of the liquid is proportional to its mass: the ratio is that of the first sloshing mode, and falls with the \
