@@ -120,6 +120,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "annular plate",
                 "anchors with",
                 "applies to a strip alone",
+                "applies to a displacement liquid alone",
             ];
             let own: Vec<&String> = found.iter().filter(|f| !context.iter().any(|c| f.contains(c))).collect();
             assert!(own.is_empty(), "{value}: {own:?}");
