@@ -14,7 +14,7 @@
 //! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
 //! the caller puts into the law, E/(1 − ν²).
 //!
-//! With a [`LiquidMesh`] the liquid is a mesh of displacement elements instead, joined by contact elements to both walls in one model ([`chain`]).
+//! With a [`LiquidMesh`] the liquid is a mesh of displacement elements instead, joined by contact elements to both walls in one model (`chain`).
 //!
 //! Where the joint of a condensed liquid may open ([`Contact`]) the liquid's face has its own displacement and carries the pressure at rest; joints
 //! ([`fem::element::liquid_joint`]) stand between the two.

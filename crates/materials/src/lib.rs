@@ -135,6 +135,24 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
     /// Errors: no stress found.
     fn respond(&self, strain: &[f64; N], old: &[f64], new: &mut [f64]) -> Result<Response<N>, LawError>;
 
+    /// [`Law::respond`] of points whose histories stand one after another: one call in place of one a point.
+    ///
+    /// Errors: those of the first point that fails.
+    fn respond_row(
+        &self,
+        strains: &[[f64; N]],
+        old: &[f64],
+        new: &mut [f64],
+        out: &mut [Response<N>],
+    ) -> Result<(), LawError> {
+        let slots = self.history_len();
+        for (i, (strain, response)) in strains.iter().zip(out).enumerate() {
+            let own = i * slots..(i + 1) * slots;
+            *response = self.respond(strain, &old[own.clone()], &mut new[own])?;
+        }
+        Ok(())
+    }
+
     /// State for output of a point with this strain and committed history.
     fn inspect(&self, _strain: &[f64; N], _history: &[f64]) -> PointState {
         PointState::default()

@@ -19,7 +19,7 @@ use crate::{Benchmark, Part};
 pub const ID: &str = "dissertation";
 
 /// Pages of other models with rows of the dissertation.
-pub const PAGES: [&str; 14] = [
+pub const PAGES: [&str; 15] = [
     "shell-tank-static",
     "brick-cantilever",
     "fluid-rank",
@@ -34,6 +34,7 @@ pub const PAGES: [&str; 14] = [
     "liquid-separation",
     "strip-linear-response",
     "strip-incremental",
+    "strip-chain",
 ];
 
 /// The page.

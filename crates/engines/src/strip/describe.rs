@@ -91,41 +91,49 @@ pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact
     ]
 }
 
+/// What the walls are.
+fn walls(wall: StripWall) -> &'static str {
+    match wall {
+        StripWall::Fibre => {
+            "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip."
+        }
+        StripWall::Shell => {
+            "Walls as layered shells, one element across: plane sections of each leaf, flexible in shear; no shear failure, \
+             no bond slip."
+        }
+    }
+}
+
+/// What the liquid is, and how it is joined to the walls.
+fn liquid_between(contact: Contact, liquid: LiquidForm) -> &'static str {
+    match (contact, liquid) {
+        (Contact::Bonded, LiquidForm::Displacement) => {
+            "Liquid of displacement elements between both walls, joined to them by contact elements and bonded; both walls and the \
+             liquid are one model and one run. Modes are those of the condensed liquid."
+        }
+        (Contact::Opening, LiquidForm::Displacement) => {
+            "Liquid of displacement elements between both walls, joined to them by contact elements that transfer pressure only: \
+             the liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls and \
+             the liquid are one model and one run. Modes are those of the condensed liquid."
+        }
+        (Contact::Bonded, _) => {
+            "Liquid of linear potential theory, condensed onto the wall and bonded to it. Both walls are run: with the \
+             record and with the reversed record."
+        }
+        (Contact::Opening, _) => {
+            "Liquid of linear potential theory, condensed onto a separate face; the contact transfers pressure only: the \
+             liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls are \
+             run: with the record and with the reversed record."
+        }
+    }
+}
+
 /// Assumptions of the strip, one sentence each.
 pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) -> Vec<String> {
     let mut out = vec![
         "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
-        match options.wall {
-            StripWall::Fibre => {
-                "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip."
-            }
-            StripWall::Shell => {
-                "Walls as layered shells, one element across: plane sections of each leaf, flexible in shear; no shear failure, \
-                 no bond slip."
-            }
-        }
-        .to_owned(),
-        match (options.contact, options.liquid) {
-            (Contact::Bonded, LiquidForm::Displacement) => {
-                "Liquid of displacement elements between both walls, joined to them by contact elements and bonded; both walls and the \
-                 liquid are one model and one run. Modes are those of the condensed liquid."
-            }
-            (Contact::Opening, LiquidForm::Displacement) => {
-                "Liquid of displacement elements between both walls, joined to them by contact elements that transfer pressure only: \
-                 the liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls and \
-                 the liquid are one model and one run. Modes are those of the condensed liquid."
-            }
-            (Contact::Bonded, _) => {
-                "Liquid of linear potential theory, condensed onto the wall and bonded to it. Both walls are run: with the \
-                 record and with the reversed record."
-            }
-            (Contact::Opening, _) => {
-                "Liquid of linear potential theory, condensed onto a separate face; the contact transfers pressure only: the \
-                 liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls are \
-                 run: with the record and with the reversed record."
-            }
-        }
-        .to_owned(),
+        walls(options.wall).to_owned(),
+        liquid_between(options.contact, options.liquid).to_owned(),
         "Every run starts from equilibrium under the weight of the walls and the hydrostatic pressure. An unconverged step is \
          never accepted: it is halved until it converges, or the run ends as a collapse and its numbers are lower bounds."
             .to_owned(),

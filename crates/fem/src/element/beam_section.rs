@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Areas may be those of a strip of unit width [m²/m]; then the resultants are per metre too. Fibres of one law form
-//! a block, so that a point costs one indirect call per fibre.
+//! a block, whose law is asked for [`ROW`] fibres at a time.
 //!
 //! **Layers.** A block of depth h in n layers of area A/n has its fibres at the middle of the layers, moved outwards by
 //! 1/√(1 − 1/n²): area and second moment h³/12 are then exact, and an elastic section does not depend on n. Bars stand at
@@ -15,11 +15,14 @@
 
 use std::sync::Arc;
 
-use materials::{Law, PointState};
+use materials::{Law, PointState, Response as LawResponse};
 
 use super::{ElementError, not_negative, positive, require};
 
 const KIND: &str = "beam section";
+
+/// Fibres in one call of their law.
+const ROW: usize = 16;
 
 /// Fibres of one law.
 #[derive(Clone, Debug)]
@@ -210,6 +213,31 @@ impl FibreSection {
         }
     }
 
+    /// Asks the laws of the fibres at ε₀ and κ, row by row; `take` is given the fibres of a row and their responses.
+    fn rows(
+        &self,
+        [strain, curvature]: [f64; 2],
+        old: &[f64],
+        new: &mut [f64],
+        mut take: impl FnMut(&[[f64; 2]], &[LawResponse<1>]),
+    ) -> Result<(), ElementError> {
+        let (mut strains, mut found) = ([[0.0]; ROW], [LawResponse::default(); ROW]);
+        let mut at = 1;
+        for block in &self.blocks {
+            for fibres in block.fibres.chunks(ROW) {
+                let (n, end) = (fibres.len(), at + block.slots * fibres.len());
+                for (own, [depth, _]) in strains.iter_mut().zip(fibres) {
+                    *own = [strain + depth * curvature];
+                }
+                let law = block.law.respond_row(&strains[..n], &old[at..end], &mut new[at..end], &mut found[..n]);
+                law.map_err(law_error)?;
+                take(fibres, &found[..n]);
+                at = end;
+            }
+        }
+        Ok(())
+    }
+
     /// Resultants at the strain ε₀ of the axis and the curvature κ, with the committed history `old`; writes the trial
     /// history `new`.
     ///
@@ -222,13 +250,9 @@ impl FibreSection {
     ) -> Result<FibreResponse, ElementError> {
         let mut out = FibreResponse::default();
         let [mut k00, mut k01, mut k11] = [0.0; 3];
-        let (mut at, mut dissipated) = (1, 0.0);
-        for block in &self.blocks {
-            let law = &*block.law;
-            for &[depth, area] in &block.fibres {
-                let end = at + block.slots;
-                let found =
-                    law.respond(&[strain + depth * curvature], &old[at..end], &mut new[at..end]).map_err(law_error)?;
+        let mut dissipated = 0.0;
+        self.rows([strain, curvature], old, new, |fibres, found| {
+            for (&[depth, area], found) in fibres.iter().zip(found) {
                 let (force, stiffness) = (area * found.stress[0], area * found.tangent[0][0]);
                 out.axial += force;
                 out.moment += depth * force;
@@ -236,9 +260,8 @@ impl FibreSection {
                 k01 += depth * stiffness;
                 k11 += depth * depth * stiffness;
                 dissipated += area * found.dissipation;
-                at = end;
             }
-        }
+        })?;
         new[0] = old[0] + dissipated;
         out.tangent = [[k00, k01], [k01, k11]];
         Ok(out)
@@ -260,13 +283,13 @@ impl FibreSection {
 
     /// Shows every fibre at committed strains and history. A law that fails there has no stress.
     pub fn inspect(&self, [strain, curvature]: [f64; 2], history: &[f64], see: &mut dyn FnMut(FibreState)) {
-        let mut scratch = history.to_vec();
+        let mut scratch = vec![0.0; self.blocks.iter().map(|b| b.slots).max().unwrap_or(0)];
         let (mut at, mut number) = (1, 0);
         for (b, block) in self.blocks.iter().enumerate() {
             for &[depth, _] in &block.fibres {
                 let end = at + block.slots;
                 let own = [strain + depth * curvature];
-                let found = block.law.respond(&own, &history[at..end], &mut scratch[at..end]);
+                let found = block.law.respond(&own, &history[at..end], &mut scratch[..block.slots]);
                 see(FibreState {
                     fibre: number,
                     block: b,
