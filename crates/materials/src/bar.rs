@@ -101,6 +101,7 @@ impl Law<1> for Bar {
         2
     }
 
+    #[inline(always)]
     fn respond(&self, strain: &[f64; 1], old: &[f64], new: &mut [f64]) -> Result<Response<1>, LawError> {
         let (e, h) = (self.young_modulus, self.hardening);
         let strain = strain[0];
