@@ -54,6 +54,7 @@ Examples:
   tankcheck compare tank.json --quake elcentro.csv --scene --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/ --resume
+  tankcheck compare strip.json --quake elcentro.csv --fe nonlinear --liquid displacement --out out/      both walls and liquid elements in one model
 
 Ctrl-C stops a three-dimensional or nonlinear run and keeps the finished part, marked incomplete; a second Ctrl-C
 discards everything except the checkpoint of a nonlinear run.

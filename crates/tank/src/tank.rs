@@ -266,7 +266,7 @@ keys! {
         density: Field<Density> [LIQUID_DENSITY],
         /// Depth of the liquid above the tank bottom.
         fill_height ("9 m"): Field<Length> [HEIGHT],
-        /// Bulk modulus, of the displacement liquid of --fe solid and of the limit of compressibility; other liquids are incompressible.
+        /// Bulk modulus, of a liquid of displacement elements and of the limit of compressibility; other liquids are incompressible.
         @"Option::is_none" bulk_modulus ("2.06 GPa"): Opt<Stress> [BULK_MODULUS] = without("water, 2.06 GPa; c = 1435 m/s in the limit of compressibility"),
     }
 }
