@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Areas may be those of a strip of unit width [m²/m]; then the resultants are per metre too. Fibres of one law form
-//! a block, whose law is asked for [`ROW`] fibres at a time.
+//! a block, whose law is asked for a row of fibres at a time.
 //!
 //! **Layers.** A block of depth h in n layers of area A/n has its fibres at the middle of the layers, moved outwards by
 //! 1/√(1 − 1/n²): area and second moment h³/12 are then exact, and an elastic section does not depend on n. Bars stand at
