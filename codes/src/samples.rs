@@ -17,6 +17,7 @@ pub(crate) fn material(name: &str, youngs_modulus: f64, poisson_ratio: f64, dens
         yield_strength: None,
         allowable_stress: None,
         behaviour: Default::default(),
+        volume_change: Default::default(),
     }
 }
 

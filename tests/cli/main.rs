@@ -63,5 +63,6 @@ mod two_masses;
 mod unlike;
 mod verdict;
 mod verify;
+mod volume_change;
 mod vtu;
 mod vtu_sample;

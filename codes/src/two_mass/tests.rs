@@ -18,6 +18,7 @@ pub(crate) fn concrete(modulus: f64, weight: f64) -> Material {
         yield_strength: None,
         allowable_stress: None,
         behaviour: Behaviour::default(),
+        volume_change: Default::default(),
     }
 }
 

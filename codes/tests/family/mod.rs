@@ -102,6 +102,7 @@ impl Draw {
             yield_strength: self.of(&[Some(235e6), Some(235e6), Some(60e6), None]),
             allowable_stress: self.of(&[Some(160e6), Some(160e6), None]),
             behaviour: Behaviour::default(),
+            volume_change: Default::default(),
         }
     }
 

@@ -80,6 +80,8 @@ const GERMAN = {
   integration: 'Integration', integrator: 'Zeitintegration', interlayer: 'Zwischenschicht', internal_floating: 'Schwimmdecke', isolator_displacement: 'Verschiebung der Isolatoren',
   kinematic_share: 'Kinematischer Anteil', law: 'Gesetz', live_load: 'Nutzlast', lower_bound: 'Untere Grenze', mass_proportional: 'Massenproportional', memory_limit: 'Speichergrenze',
   mesh: 'Netz', mesh_error: 'Diskretisierungsfehler', missing_mass: 'Fehlende Masse', motion: 'Bewegung', n: 'Anzahl', overturning_moment: 'Kippmoment', parts: 'Teile',
+  creep_coefficient: 'Kriechzahl', shrinkage: 'Schwinddehnung', thermal_expansion: 'Wärmedehnzahl', volume_change: 'Volumenänderung',
+  prestress: 'Vorspannung', temperature: 'Temperatur', inside: 'Innen', outside: 'Außen', stress_free: 'Spannungsfrei bei',
   contact_tangential: 'Steifigkeit entlang der Wand', liquid_elements: 'Elemente der Flüssigkeit',
   peak: 'Spitze', phase: 'Phase', plane_foot: 'Ebener Fuß', plastic_rotation: 'Plastische Verdrehung', points: 'Punkte', quantity: 'Größe', quake_rotation: 'Drehbeschleunigung des Bodens', ratio: 'Verhältnis',
   rayleigh: 'Rayleigh', reduced: 'Reduziert', refine: 'Verfeinerung', rim_hoop_stress: 'Umfangsspannung am Rand', rings: 'Ringe', rise: 'Stich', roof_mass: 'Dachmasse', rotation_penalty: 'Strafsteifigkeit der Rotation',

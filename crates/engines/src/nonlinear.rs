@@ -8,6 +8,7 @@ mod bottom;
 pub(crate) mod cylinder;
 pub(crate) mod extremes;
 mod incremental;
+pub(crate) mod lasting;
 pub(crate) mod laws;
 pub(crate) mod parting;
 pub mod push;

@@ -74,6 +74,15 @@ impl Want {
     pub const FORCE: Want = Want { force: true, tangent: false };
 }
 
+/// Part of a load history, for elements with free strains (temperature, shrinkage, prestress) or creep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Lasting loads grow: this share of the free strains acts, and materials creep.
+    Lasting(f64),
+    /// Short-time loads follow: free strains and what has crept stay.
+    Short,
+}
+
 /// A trial state of an element.
 #[derive(Debug)]
 pub struct Trial<'a> {
@@ -276,6 +285,9 @@ pub trait Element: Send + Sync {
 
     /// Writes the initial history.
     fn init_history(&self, _slots: &mut [f64]) {}
+
+    /// Changes the stage in a committed history.
+    fn stage(&self, _stage: Stage, _history: &mut [f64]) {}
 
     /// Consistent mass matrix at the reference state (zeros by default). `out` has the element's size and is zero.
     ///

@@ -7,7 +7,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::dofs::{Dof, KINDS};
-use crate::element::{Element, Motion};
+use crate::element::{Element, Motion, Stage};
 use crate::model::Model;
 
 /// Fields over a model.
@@ -71,6 +71,13 @@ impl State {
     pub(crate) fn split(&mut self) -> (&Fields, &[f64], &mut [f64], &[usize]) {
         self.written = true;
         (&self.trial, &self.old, &mut self.new, &self.offsets)
+    }
+
+    /// Changes the stage of all elements in the committed history.
+    pub fn stage(&mut self, model: &Model, stage: Stage) {
+        for (e, element) in model.elements().iter().enumerate() {
+            element.stage(stage, &mut self.old[self.offsets[e]..self.offsets[e + 1]]);
+        }
     }
 
     /// Accepts the trial state.

@@ -30,6 +30,7 @@ pub fn material(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Materi
         yield_strength: None,
         allowable_stress: None,
         behaviour: Default::default(),
+        volume_change: Default::default(),
     }
 }
 

@@ -21,6 +21,10 @@ pub enum Place {
     Concrete(String),
     /// The law of that concrete.
     Law(String),
+    /// Changes of volume of this material.
+    VolumeChange(String),
+    /// Temperature of the wall at rest.
+    Temperature,
     /// The interlayer of this material.
     Interlayer(String),
     /// Formulation of the liquid in three dimensions.

@@ -10,6 +10,7 @@ mod layers;
 mod parts;
 mod plane;
 mod staging;
+mod volume_change;
 
 pub use behaviour::{
     Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, SLOPE, STRESS, Softening, Steel,
@@ -23,6 +24,7 @@ pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Attachment, Insulation, Pipes, RimSupport, Ring, Roof, RoofKind, SnowLoad};
 pub use plane::PLANE_WALLS;
 pub use staging::{Staging, StagingKind};
+pub use volume_change::{VolumeChange, WallTemperature};
 
 use crate::keys::{Density, Field, Force, Length, Limits, LineForce, Opt, Or, Stress, Whole, keys};
 use crate::words;
@@ -106,6 +108,9 @@ pub struct Material {
     /// Behaviour beyond its elastic range (nonlinear engine).
     #[serde(default, skip_serializing_if = "Behaviour::is_elastic")]
     pub behaviour: Behaviour,
+    /// Changes of volume at rest (nonlinear engine).
+    #[serde(default, skip_serializing_if = "VolumeChange::is_none")]
+    pub volume_change: VolumeChange,
 }
 
 /// A ring of the wall with constant thickness.

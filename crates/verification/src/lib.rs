@@ -92,6 +92,7 @@ pub const ALL: &[&Benchmark] = &[
     &shell::cantilever_plate::BENCHMARK,
     &shell::tank_static::BENCHMARK,
     &shell::tank_sectors::BENCHMARK,
+    &shell::volume_change::BENCHMARK,
     &shell::axial_buckling::BENCHMARK,
     &shell::cylinder_modes::BENCHMARK,
     &materials::steel::BENCHMARK,

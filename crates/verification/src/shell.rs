@@ -52,6 +52,7 @@ pub(crate) mod tank_locking;
 pub(crate) mod tank_sectors;
 pub(crate) mod tank_static;
 pub(crate) mod twisted_beam;
+pub(crate) mod volume_change;
 pub(crate) mod z_cantilever;
 
 /// Nodes and cells of an m × n grid; node (i, j) at i + (m + 1) j, normal along (∂x/∂i) × (∂x/∂j).

@@ -197,6 +197,7 @@ fn tank(kind: Kind) -> Tank {
         yield_strength: Some(f),
         allowable_stress: None,
         behaviour: Default::default(),
+        volume_change: Default::default(),
     };
     let aluminium = material("aluminium", 69e9, 0.32, 2750.0, 110e6);
     let concrete = material("concrete", 30e9, 0.2, 2500.0, 20e6);

@@ -41,6 +41,7 @@ fn course(height: f64, thickness: f64, hoop: f64, vertical: f64) -> Course {
         area,
         depth,
         diameter: Some(0.016),
+        prestress: 0.0,
         material: steel.clone(),
     };
     let reinforcement = [0.05, thickness - 0.05]

@@ -80,6 +80,7 @@ mod tests {
             yield_strength: None,
             allowable_stress: None,
             behaviour: Default::default(),
+            volume_change: Default::default(),
         };
         let course = |thickness| Course {
             height: 0.915,

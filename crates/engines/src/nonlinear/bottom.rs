@@ -213,7 +213,7 @@ impl Plate {
                 material: bottom.material.clone(),
                 reinforcement: Vec::new(),
             };
-            let Build::Shell(leaf) = row(&[layer], [r[0] - r[1]; 2], integration)?.build else {
+            let Build::Shell(leaf) = row(&[layer], [r[0] - r[1]; 2], integration, None)?.build else {
                 return unsupported("a bottom of one plate");
             };
             let soft = 12.0 / (bottom.material.youngs_modulus * thickness.powi(3));

@@ -176,6 +176,7 @@ mod tests {
             yield_strength: None,
             allowable_stress: None,
             behaviour,
+            volume_change: Default::default(),
         }
     }
 
@@ -200,6 +201,7 @@ mod tests {
             area,
             depth: 0.04,
             diameter: Some(0.016),
+            prestress: 0.0,
             material: material(steel, 200e9),
         };
         let layer = Layer {

@@ -14,6 +14,7 @@ use super::bottom::missing;
 use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
 use super::cylinder::two;
+use super::lasting;
 use super::laws::uniaxial_concrete;
 use crate::strip::section as fibres;
 use crate::{FeError, out_of_round, strip};
@@ -84,6 +85,7 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
         let message = "the nonlinear engine clamps the foot of the wall";
         all.push(Refusal::new(Place::WallBase, message, "\"kind\": \"fixed\"").help("use --fe harmonic"));
     }
+    all.extend(lasting::refusals(case, options, purpose == Purpose::History));
     all.extend(imperfect(case, options, purpose));
     if purpose == Purpose::History {
         all.extend(two::refusals(case, options));
@@ -162,7 +164,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
         let longest = rows.longest(index, rows.count());
         let built = || match options.wall {
             StripWall::Fibre => fibres::section(&layers, longest, options).map(|_| ()),
-            StripWall::Shell => strip::shells::shell_row(&layers, longest, &options.integration).map(|_| ()),
+            StripWall::Shell => strip::shells::shell_row(&layers, longest, options).map(|_| ()),
         };
         if all.len() == before
             && let Err(error) = built()
@@ -215,7 +217,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
         if all.len() > before {
             continue;
         }
-        match shells::row(&layers, [TINY; 2], &options.integration) {
+        match shells::row(&layers, [TINY; 2], &options.integration, options.temperature) {
             Err(error) => all.push(refusal(Place::Course(index), error).found(in_words(course))),
             Ok(row) => {
                 let gap = *first_gap.get_or_insert(row.gap);

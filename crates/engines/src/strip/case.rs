@@ -79,7 +79,7 @@ impl Strip {
         let mut sections = Vec::new();
         let shells = match options.wall {
             StripWall::Fibre => None,
-            StripWall::Shell => Some(shells::wall(case, &levels, &options.integration)?),
+            StripWall::Shell => Some(shells::wall(case, &levels, options)?),
         };
         for ends in levels.windows(2) {
             let mut layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();

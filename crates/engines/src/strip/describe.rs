@@ -12,6 +12,7 @@ use super::parts::StripDamping;
 use crate::FeError;
 use crate::fittings;
 use crate::nonlinear::after_record::Span;
+use crate::nonlinear::lasting;
 use results::{Fact, FactKind};
 use tank::options::nonlinear::{Contact, Damping, LiquidForm, MassProportionalAt, NonlinearOptions, StripWall};
 
@@ -157,6 +158,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
                 .into(),
         );
     }
+    out.extend(lasting::assumptions(case, options));
     out.extend(fittings::assumptions(&case.tank, true));
     if case.tank.courses.iter().any(|c| c.layers.len() > 1) {
         out.push(

@@ -14,7 +14,7 @@ use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Build, Footprint, WallMesh};
 use fem::linalg::Matrix;
 use fem::model::Builder;
-use tank::options::nonlinear::Integration;
+use tank::options::nonlinear::NonlinearOptions;
 use tank::{Behaviour, Case, Layer, LayerKind};
 
 use super::parameters::{StripError, StripTank};
@@ -125,15 +125,15 @@ pub(super) fn spread(matrix: &Matrix, each: usize, face: &[Vec<usize>]) -> Matri
     out
 }
 
-/// Shells of a wall with nodes at `levels` [m].
+/// Shells of a wall with nodes at `levels` [m], with the free strains of a temperature at rest.
 ///
 /// Errors: layers or laws that shells do not have; a leaf that bends on another side, or another distance between leaves, from
 /// course to course.
-pub(super) fn wall(case: &Case, levels: &[f64], integration: &Integration) -> Result<ShellWall, FeError> {
+pub(super) fn wall(case: &Case, levels: &[f64], options: &NonlinearOptions) -> Result<ShellWall, FeError> {
     let mut found: Option<ShellWall> = None;
     for ends in levels.windows(2) {
         let layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
-        let (own, main, gap) = shell_row(&layers, ends[1] - ends[0], integration)?;
+        let (own, main, gap) = shell_row(&layers, ends[1] - ends[0], options)?;
         let wall = found.get_or_insert_with(|| ShellWall { rows: Vec::new(), main, gap });
         if wall.main != main || (wall.gap - gap).abs() > 1e-9 * levels[levels.len() - 1] {
             return unsupported(
@@ -154,10 +154,10 @@ pub(super) fn wall(case: &Case, levels: &[f64], integration: &Integration) -> Re
 pub(crate) fn shell_row(
     layers: &[Layer],
     element: f64,
-    integration: &Integration,
+    options: &NonlinearOptions,
 ) -> Result<(ShellRow, usize, f64), FeError> {
     // What localises does so up the wall: the breadth of 1 m has no part in it.
-    let row = row(layers, [element; 2], integration)?;
+    let row = row(layers, [element; 2], &options.integration, options.temperature)?;
     let main = main_leaf(layers)?;
     let leaves = layers.split(|l| l.kind == LayerKind::Interlayer);
     let number = leaves.take_while(|leaf| !std::ptr::eq(*leaf, main)).count();

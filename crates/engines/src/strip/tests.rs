@@ -73,6 +73,7 @@ fn reinforced(peak: f64) -> Case {
         area: 7e-4,
         depth,
         diameter: None,
+        prestress: 0.0,
         material: Material {
             name: "bars".into(),
             youngs_modulus: 210e9,

@@ -4,8 +4,8 @@
 //! M ü + C u̇ + f_int(u) = p_c − Σ_k M ι_k a_k(t) + Σ p_j f_j(t)
 //! ```
 //!
-//! 1. **Static start**: the constant loads p_c (weight, hydrostatic pressure) are applied in load steps with the
-//!    committed history; then u̇ = 0. Unknowns without stiffness (potentials) rest meanwhile.
+//! 1. **Static start**: the constant loads p_c (weight, hydrostatic pressure) and the free strains of the elements are applied in load steps
+//!    with the committed history ([`Stage`](crate::element::Stage)); then u̇ = 0. Unknowns without stiffness (potentials) rest meanwhile.
 //! 2. **Steps** on the nominal grid; a step that does not converge is halved, down to 2⁻⁶, with the ground motion linear
 //!    inside it; ten steps that converge double it back. An unconverged step is never accepted.
 //!    With [`Adaptive`], nominal steps are joined to longer ones where little moves, up to the distance of the samples.
@@ -61,7 +61,7 @@ pub struct Settings {
     pub scheme: TimeScheme,
     /// Samples and nominal steps.
     pub grid: Grid,
-    /// Constant load p_c; none if empty.
+    /// Constant load p_c; without one there is no static start, and free strains do not act.
     pub constant: Vec<f64>,
     /// Load steps of the static start.
     pub load_steps: usize,

@@ -58,7 +58,7 @@ mod solver;
 mod zoned;
 
 pub use options::{Criteria, Options};
-pub use path::{LoadPath, load_path};
+pub use path::{LoadPath, lasting_path, load_path};
 use zoned::{Renew, Zoned};
 
 /// A step that has converged.

@@ -54,7 +54,7 @@ use super::shell::director::turned;
 use super::shell::drilling::Corner;
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
-use super::{Buckling, Element, ElementError, LocalMatrix, Mixed, Response, Trial, not_negative, require};
+use super::{Buckling, Element, ElementError, LocalMatrix, Mixed, Response, Stage, Trial, not_negative, require};
 use crate::dofs::Dof;
 
 pub use rows::{Row, SIZE};
@@ -318,6 +318,13 @@ impl Element for Shell4 {
         let len = self.section.history_len();
         if len > 0 {
             slots.chunks_exact_mut(len).for_each(|s| self.section.init_history(s));
+        }
+    }
+
+    fn stage(&self, stage: Stage, history: &mut [f64]) {
+        let len = self.section.history_len();
+        if len > 0 {
+            history.chunks_exact_mut(len).for_each(|own| self.section.stage(stage, own));
         }
     }
 

@@ -33,7 +33,7 @@ use super::shell::director::add_turn_block;
 use super::shell::director::turned;
 use super::shell4::{SIZE as SHELL_SIZE, Shell4};
 use super::solid8::{Elastic, Kinematics, Solid8};
-use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Trial, Want, require};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Stage, Trial, Want, require};
 use crate::dofs::Dof;
 
 mod abilities;
@@ -250,6 +250,12 @@ impl Element for Wall {
     fn init_history(&self, slots: &mut [f64]) {
         for (shell, i) in self.shells() {
             shell.init_history(&mut slots[self.slots(i)]);
+        }
+    }
+
+    fn stage(&self, stage: Stage, history: &mut [f64]) {
+        for (shell, i) in self.shells() {
+            shell.stage(stage, &mut history[self.slots(i)]);
         }
     }
 

@@ -6,7 +6,7 @@ use super::after_record::AfterRecord;
 use crate::case;
 use crate::imperfection::Imperfections;
 use crate::keys::{Number, Opt, Or, Subgrade, Time, Whole, Within, keys};
-use crate::words;
+use crate::{WallTemperature, words};
 
 /// Most elements over the height of a wall.
 pub const MOST_ROWS: u32 = 1000;
@@ -47,6 +47,9 @@ keys! {
         @"Option::is_none" liquid_elements (10): Opt<Whole> [Limits::count(1, MOST_ROWS)] = Absent::Follows("nearly square elements"),
         /// Stiffness along the wall of the contact elements of a displacement liquid, open or closed.
         @"is_zero" contact_tangential ("10 MN/m3"): Or<Subgrade> [Limits::from(0.0).to(1e12)] = default(Subgrade(DEFAULT.contact_tangential)),
+        /// Temperature of a wall of shells at rest before the record; not of its rings, its base and an interlayer.
+        @"Option::is_none" temperature: Within<Option<WallTemperature>>
+            = Absent::Follows("the wall has the temperature at which it is free of stress"),
         /// Whether the weight of the wall acts.
         self_weight (false): Or<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
         /// Whether the pressure turns with the wall.
@@ -92,6 +95,7 @@ impl NonlinearOptions {
             liquid: LiquidForm::Condensed,
             liquid_elements: None,
             contact_tangential: 0.0,
+            temperature: None,
             self_weight: true,
             follower_pressure: true,
             integration: Integration::DEFAULT,

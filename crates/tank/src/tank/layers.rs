@@ -41,6 +41,9 @@ pub struct Reinforcement {
     /// Diameter of a bar [m], needed by the crack width.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub diameter: Option<f64>,
+    /// Stress of prestressed bars where the layer has no strain, after losses [Pa] (nonlinear engine).
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub prestress: f64,
     /// Material.
     pub material: Material,
 }
@@ -97,6 +100,7 @@ impl Course {
                 yield_strength: None,
                 allowable_stress: None,
                 behaviour: Behaviour::Elastic,
+                volume_change: Default::default(),
             },
             corrosion: 0.0,
             layers,
@@ -210,6 +214,7 @@ mod tests {
                 yield_strength: Some(1e6),
                 allowable_stress: None,
                 behaviour: Behaviour::Elastic,
+                volume_change: Default::default(),
             },
             reinforcement: Vec::new(),
         }
@@ -230,6 +235,7 @@ mod tests {
             area,
             depth,
             diameter,
+            prestress: 0.0,
             material: wall.material.clone(),
         };
         let vertical = [0.04, 0.26].map(|z| bars(BarDirection::Vertical, 7.5e-4, z, Some(0.016)));

@@ -124,5 +124,6 @@ Described in [B02] but not computed there:
 | Ogden, Mooney-Rivlin and neo-Hookean elastomers (4.4.2) | [B02] keeps the elastomer linear |
 | endochronic theory, microplanes, rotating and embedded cracks (2.1.4) | surveyed there, not chosen |
 | viscous liquid; compressible liquid in histories | damping by mode stands for viscosity; whether compressibility matters is checked as a limit of validity |
+| wind (3.1.1) | a static check by the codes of wind, as [B02] says; tanks hardly vibrate in it |
 | torn walls (3.2) | a wall that yields or buckles is followed, a wall that opens is not |
 ";

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Answer, Case};
 use crate::{Failure, Reference, Row};
 use fem::analysis::continuation::{Continuation, StepLength};
-use fem::analysis::newton::{Criteria, Newton, load_path};
+use fem::analysis::newton::{Criteria, Newton, lasting_path, load_path};
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::shell::load::NodalLoads;
@@ -84,6 +84,17 @@ impl Problem {
             None => Ok((path.steps.len(), path.steps.iter().map(|s| s.1).sum())),
             Some(failure) => Err(ended(path.factor, &failure)),
         }
+    }
+
+    /// Free strains at rest in load steps, without a load; returns the forces of the supports.
+    pub(super) fn rest(&self, state: &mut State, steps: usize) -> Answer<Vec<((usize, Dof), f64)>> {
+        let mut newton = Newton::new(&self.model, &self.assembler, &self.symbolic, None, SHARP)?;
+        let path = lasting_path(&mut newton, state, &vec![0.0; self.load.len()], steps, &Silent)?;
+        if let Some(failure) = path.failure {
+            return Err(ended(path.factor, &failure));
+        }
+        let forces = newton.committed_forces(state).map_err(|failure| ended(1.0, &failure))?;
+        Ok(self.assembler.supports().iter().copied().zip(forces.support.iter().copied()).collect())
     }
 
     /// Load factors at which the displacement `dof` of `node` reaches the `targets`, with the states; and the iterations of

@@ -2,14 +2,14 @@
 
 use files::code::Code;
 use tank::units::Dimension;
-use tank::{BarDirection, Behaviour, LayerKind};
+use tank::{BarDirection, Behaviour, LayerKind, STRESS};
 
 use super::materials::Materials;
 use super::named::{Use, material};
 use crate::input::tank::choice::choice;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
-use crate::input::tank::values::{Length, LineArea};
+use crate::input::tank::values::{Length, LineArea, Stress};
 use tank::keys::{Absent, Limits};
 
 /// Bars: more than a tenth of a metre of steel is not reinforcement.
@@ -37,6 +37,9 @@ object! {
         from_inner ("4 cm"): Opt<Length> [COVER],
         /// Distance of the axis of the bars from the outer face of their shell.
         from_outer ("4 cm"): Opt<Length> [COVER],
+        /// Prestress of the bars where the layer round them has no strain, after losses by friction, anchorage and relaxation; the wall that it shortens takes
+        /// its part of it. Acts in walls of shells in the state at rest of the nonlinear engine.
+        prestress ("1000 MPa"): Opt<Stress> [STRESS] = Absent::Follows("the bars are without prestress"),
         /// Name of their material.
         material ("bars"): Field<String>,
     }
@@ -158,6 +161,25 @@ fn bars(
             if from_outer { thickness - distance } else { distance }
         }
     };
-    let material = material(r, &b.material, materials, Use::Bars);
-    Some(tank::Reinforcement { direction: b.direction.value?, area, depth, diameter, material: material? })
+    let material = material(r, &b.material, materials, Use::Bars)?;
+    let prestress = prestress(r, &b.prestress, &material);
+    Some(tank::Reinforcement { direction: b.direction.value?, area, depth, diameter, prestress, material })
+}
+
+/// Prestress [Pa]; 0 if it is not given. Prestressed bars must be elastic.
+fn prestress(r: &mut Resolver<'_>, option: &Opt<Stress>, material: &tank::Material) -> f64 {
+    let Some(field) = &option.given else { return 0.0 };
+    let stress = r.number(field);
+    if let Behaviour::Reinforcement(bar) = material.behaviour
+        && stress >= bar.yield_strength
+    {
+        let allowed =
+            format!("less than the yield strength, {}", like_unit(field, bar.yield_strength, Dimension::Stress));
+        r.refuse(Code::Contradiction, field, "the bars yield under their prestress", &allowed);
+    }
+    r.remarks.push(format!(
+        "{}: acts in the state at rest of the nonlinear engine; code procedures and linear engines leave it out",
+        option.path
+    ));
+    stress
 }

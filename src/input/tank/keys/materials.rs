@@ -10,14 +10,15 @@ use files::code::Code;
 use std::collections::BTreeMap;
 
 use super::grades::{self, Found, Preset, Strengths};
+use crate::input::tank::given::Given;
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Density, Named, Number, Stress};
 use laws::Behaviour;
 use reader::Reader;
-use tank::STRESS;
 use tank::keys::{Absent, Limits, without};
+use tank::{STRESS, VolumeChange};
 
 /// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit. From 1e17 Pa on the motion of a wall is lost in
 /// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.
@@ -65,6 +66,8 @@ object! {
         hot: Opt<Hot> = Absent::Follows("the values at room temperature"),
         /// Behaviour beyond the elastic range.
         behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
+        /// Expansion, shrinkage and creep of walls of shells in the state at rest of the nonlinear engine.
+        volume_change: Opt<Given<VolumeChange>> = Absent::Follows("neither shrinkage nor creep"),
     }
 }
 
@@ -184,6 +187,7 @@ fn material(
         Some((field, Behaviour::Kinds(kinds))) => laws::of_file(r, &reader, field, kinds, elastic)?,
     };
     let family = family::family(r, m, &reader, &behaviour, [youngs_modulus, poisson_ratio, density]);
+    let volume_change = volume_change(r, &m.volume_change, &behaviour);
     Some(tank::Material {
         family,
         name: name.into(),
@@ -196,7 +200,26 @@ fn material(
         yield_strength,
         allowable_stress,
         behaviour,
+        volume_change,
     })
+}
+
+/// Changes of volume: bars and interlayers neither shrink nor creep.
+fn volume_change(r: &mut Resolver<'_>, option: &Opt<Given<VolumeChange>>, behaviour: &tank::Behaviour) -> VolumeChange {
+    let Some(given) = option.value() else { return VolumeChange::NONE };
+    let Some(found) = given.resolve(r) else { return VolumeChange::NONE };
+    if matches!(behaviour, tank::Behaviour::Reinforcement(_) | tank::Behaviour::Interlayer(_)) {
+        let message = "bars and interlayers neither shrink nor creep";
+        let allowed = "shrinkage and creep_coefficient of the material of a shell";
+        r.inapplicable(&given.shrinkage, message, allowed);
+        r.inapplicable(&given.creep_coefficient, message, allowed);
+    } else if found.lasts() {
+        r.remarks.push(format!(
+            "{}: acts in the state at rest of the nonlinear engine; code procedures and linear engines leave it out",
+            option.path
+        ));
+    }
+    found
 }
 
 /// E, f_y and S_d [Pa] at the design temperature, from those at room temperature.

@@ -7,7 +7,7 @@ use tank::options::nonlinear::{
     Contact, Damping, Integration, LiquidForm, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StepLength, StripWall,
     ThicknessRule, WallElements,
 };
-use tank::{Shape, Tank};
+use tank::{Shape, Tank, WallTemperature};
 
 use super::damping::RATIO;
 use super::rayleigh::{Rayleigh, rayleigh};
@@ -164,6 +164,7 @@ within! {
     Option<WallElements> => Elements, elements;
     Damping => NonlinearDamping, damping;
     Integration => Given<Integration>, integration;
+    Option<WallTemperature> => Given<WallTemperature>, temperature;
 }
 
 fn elements(r: &mut Resolver<'_>, option: &Opt<Elements, ()>) -> Option<WallElements> {
@@ -220,6 +221,15 @@ fn integration(r: &mut Resolver<'_>, option: &Opt<Given<Integration>, ()>) -> In
             Integration::DEFAULT
         }
     }
+}
+
+fn temperature(r: &mut Resolver<'_>, option: &Opt<Given<WallTemperature>, ()>) -> Option<WallTemperature> {
+    let found = option.value()?.resolve(r)?;
+    r.remarks.push(format!(
+        "{}: acts in the state at rest of the nonlinear engine; code procedures and linear engines leave it out",
+        option.path
+    ));
+    Some(found)
 }
 
 /// Ratios of wall and sloshing.

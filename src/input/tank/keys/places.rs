@@ -41,6 +41,8 @@ pub(super) fn of(file: &TankFile) -> Places {
         let law = kinds.and_then(|k| k.concrete.value()).and_then(|concrete| concrete.law.place());
         let concrete = kinds.and_then(|k| k.concrete.place()).unwrap_or_else(|| whole.clone());
         let interlayer = kinds.and_then(|k| k.interlayer.place());
+        let volume_change = material.value.as_ref().and_then(|m| m.volume_change.place());
+        all.insert(Place::VolumeChange(name.clone()), volume_change.unwrap_or_else(|| material.place()));
         all.insert(Place::Law(name.clone()), law.unwrap_or_else(|| concrete.clone()));
         all.insert(Place::Concrete(name.clone()), concrete);
         all.insert(Place::Interlayer(name.clone()), interlayer.unwrap_or(whole));
@@ -51,6 +53,9 @@ pub(super) fn of(file: &TankFile) -> Places {
         if let Some(circumference) = elements.circumference.place() {
             all.insert(Place::Sectors, circumference);
         }
+    }
+    if let Some(temperature) = nonlinear.and_then(|n| n.temperature.place()) {
+        all.insert(Place::Temperature, temperature);
     }
     let solid = file.analysis.value().and_then(|a| a.solid.value());
     if let Some(liquid) = solid.and_then(|s| s.liquid.place()) {

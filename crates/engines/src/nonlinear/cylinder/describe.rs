@@ -7,6 +7,7 @@ use tank::Support;
 use tank::units::{Dimension, display, significant};
 
 use super::super::after_record::Span;
+use super::super::lasting;
 use super::model::CylinderModel;
 use super::watch::Watch;
 use crate::fittings;
@@ -207,6 +208,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
          its energy is reported."
             .to_owned(),
     ];
+    out.extend(lasting::assumptions(case, options));
     out.extend(fittings::assumptions(&case.tank, true));
     if let Some(standing) = &tank.standing {
         out.extend(STANDS.map(String::from));

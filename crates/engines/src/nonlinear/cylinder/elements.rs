@@ -60,7 +60,7 @@ pub(super) fn build_rows(
         .windows(2)
         .map(|z| {
             let course = case.tank.course_at(0.5 * (z[0] + z[1]));
-            section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration)
+            section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration, options.temperature)
         })
         .collect()
 }

@@ -15,8 +15,9 @@ use materials::plane_stress::PlaneStress;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::two_surface::TwoSurface;
 use materials::von_mises::VonMises;
-use tank::{BarDirection, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Layer, LayerKind};
+use tank::{BarDirection, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Layer, LayerKind, WallTemperature};
 
+use super::super::lasting::Wall;
 use super::super::laws::{CRUSHING, bar_law, quadrature, refused, tension, unsupported};
 use crate::FeError;
 use crate::error::failed;
@@ -53,24 +54,32 @@ pub(crate) struct RowBuild {
     pub gap: f64,
 }
 
-/// Shells and layer of a course with these layers, from inside to outside, in cells of [length, height] `element` [m].
+/// Shells and layer of a course with these layers, from inside to outside, in cells of [length, height] `element` [m], with the free strains
+/// of a temperature at rest.
 ///
 /// Errors: more than one interlayer, or one at a face; a law that shells do not have; parameters out of range.
-pub(crate) fn row(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Result<RowBuild, FeError> {
+pub(crate) fn row(
+    layers: &[Layer],
+    element: [f64; 2],
+    integration: &Integration,
+    temperature: Option<WallTemperature>,
+) -> Result<RowBuild, FeError> {
+    let wall = Wall::of(layers, temperature);
     let leaves: Vec<&[Layer]> = layers.split(|l| l.kind == LayerKind::Interlayer).collect();
     let half = |leaf: &[Layer]| 0.5 * leaf.iter().map(|l| l.thickness).sum::<f64>();
     let thickness: f64 = leaves.iter().map(|l| 2.0 * half(l)).sum();
     match leaves.as_slice() {
         [only] => {
-            let (section, parts) = leaf(only, element, integration)?;
+            let (section, parts) = leaf(only, element, integration, (wall, 0.0))?;
             Ok(RowBuild { build: Build::Shell(section), parts: vec![parts], thickness, gap: 0.0 })
         }
         [inner, outer] if !inner.is_empty() && !outer.is_empty() => {
             let Some(between) = layers.iter().find(|l| l.kind == LayerKind::Interlayer) else {
                 return unsupported("a wall without layers");
             };
-            let (first, own) = leaf(inner, element, integration)?;
-            let (second, others) = leaf(outer, element, integration)?;
+            let (first, own) = leaf(inner, element, integration, (wall, 0.0))?;
+            let face = 2.0 * half(inner) + between.thickness;
+            let (second, others) = leaf(outer, element, integration, (wall, face))?;
             Ok(RowBuild {
                 build: Build::Layered([first, second], interlayer(between)?),
                 parts: vec![own, others],
@@ -107,14 +116,26 @@ pub(crate) fn interlayer(layer: &Layer) -> Result<Between, FeError> {
     Ok(Between { material: law, kinematics: Kinematics::GreenLagrange, mass: LayerMass::Halves })
 }
 
-fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Result<(Leaf, Vec<Part>), FeError> {
+/// A shell of these layers; `face`: distance of its inner face from that of the wall [m].
+fn leaf(
+    layers: &[Layer],
+    element: [f64; 2],
+    integration: &Integration,
+    (wall, face): (Option<Wall>, f64),
+) -> Result<(Leaf, Vec<Part>), FeError> {
     let thickness: f64 = layers.iter().map(|l| l.thickness).sum();
     let (mut plies, mut bars) = (Vec::new(), Vec::new());
     let (mut parts, mut bar_parts) = (Vec::new(), Vec::new());
+    let (mut states, mut free) = (Vec::new(), Vec::new());
     let mut inner = -0.5 * thickness;
     for layer in layers {
         let (law, rule) = plane_law(layer, element, integration)?;
         let rule = quadrature(rule);
+        if let Some(wall) = wall {
+            let (state, of_bars) = wall.states(layer, face + 0.5 * thickness + inner);
+            states.push(state);
+            free.extend(of_bars);
+        }
         let points = rule.points().map_err(failed)?.len();
         parts.extend(std::iter::repeat_n(part(layer, element), points));
         plies.push(Ply { law, thickness: layer.thickness, density: layer.material.density, rule });
@@ -138,7 +159,10 @@ fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Resul
         inner += layer.thickness;
     }
     parts.extend(bar_parts);
-    let section = LayeredSection::new(&plies, &bars).map_err(failed)?;
+    let mut section = LayeredSection::new(&plies, &bars).map_err(failed)?;
+    if wall.is_some() {
+        section = section.lasting(&states, &free).map_err(failed)?;
+    }
     let leaf = Leaf { section: Arc::new(section), face: 0.5 * thickness };
     Ok((leaf, parts))
 }

@@ -182,6 +182,7 @@ fn cracking() -> Case {
         area: 8e-4,
         depth,
         diameter: None,
+        prestress: 0.0,
         material: Material {
             behaviour: Behaviour::Reinforcement(tank::Bar {
                 yield_strength: 500e6,

@@ -327,7 +327,7 @@ impl<'a> Plan<'a> {
             let middle = 0.5 * (z[0] + z[1]);
             let course = joints.iter().position(|top| middle < *top).unwrap_or(joints.len() - 1);
             let layers = case.tank.courses[course].build_up();
-            let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration)?.build else {
+            let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration, None)?.build else {
                 return unsupported("a pushover supports walls of one shell, not of two with an interlayer");
             };
             for k in 0..angles.len() - 1 {

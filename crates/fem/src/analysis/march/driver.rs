@@ -6,7 +6,7 @@ use super::energy::{Balance, Meter};
 use super::stride::Strides;
 use super::*;
 use crate::analysis::checkpoint::{CheckpointError, Hash, Reader, Writer};
-use crate::analysis::newton::{Inertia, Newton, load_path};
+use crate::analysis::newton::{Inertia, Newton, lasting_path};
 
 /// Where a march stands.
 #[derive(Clone, Copy, Debug)]
@@ -206,22 +206,14 @@ impl<'a> Driver<'a> {
         grid.time(self.position.step) + part * grid.h()
     }
 
-    /// Applies the constant loads; returns the end of the march if there is no equilibrium.
+    /// Applies the constant loads and the free strains; returns the end of the march if there is no equilibrium.
     fn start_static(&mut self, progress: &dyn Progress) -> Result<Option<Outcome>, AnalysisError> {
         let settings = self.settings;
         if settings.start.is_some() || settings.constant.iter().all(|p| *p == 0.0) {
             return Ok(None);
         }
-        let zero = vec![0.0; self.problem.system.size()];
-        let path = load_path(
-            &mut self.newton,
-            &mut self.state,
-            &zero,
-            &settings.constant,
-            settings.load_steps,
-            progress,
-            |_, _| {},
-        )?;
+        let (newton, state) = (&mut self.newton, &mut self.state);
+        let path = lasting_path(newton, state, &settings.constant, settings.load_steps, progress)?;
         let end = match &path.failure {
             Some(failure) => Some(Outcome::Collapsed(Collapse::new(0.0, Some(path.factor), failure.clone()))),
             None if path.factor < 1.0 - 1e-12 => Some(Outcome::Interrupted),

@@ -25,18 +25,22 @@
 //! is convex. The first strain outside ends this for good; the layers then take up the histories they would have.
 //!
 //! History of a point: the energy dissipated so far [J/m²], 1 while it is whole, its strain then (ε, κ), then that of every layer (the
-//! initial one while it is whole), then of every bar whose law is not linear.
+//! initial one while it is whole), then of every bar whose law is not linear, and last what `lasting` keeps.
 
+mod lasting;
 mod response;
 
 use std::ops::Range;
 use std::sync::Arc;
 
+use lasting::Lasting;
 use materials::{Law, LawError, Response};
 
 use super::rule::Rule;
 use super::section::{LayerState, SHEAR_CORRECTION, Section, SectionResponse};
-use crate::element::{ElementError, not_negative, positive, require};
+use crate::element::{ElementError, Stage, not_negative, positive, require};
+
+pub use lasting::PlyState;
 
 const KIND: &str = "layered section";
 
@@ -79,6 +83,18 @@ struct Layer {
     linear: bool,
     /// Whether its law has an elastic range.
     ranged: bool,
+    /// Free strain ε₀.
+    free: f64,
+    /// 1/(1 + φ), φ its creep coefficient.
+    ease: f64,
+}
+
+/// Where a ply went.
+#[derive(Clone, Debug)]
+struct PlyRange {
+    layers: Range<usize>,
+    /// Depths of its lower and upper face [m].
+    faces: [f64; 2],
 }
 
 /// A bar, ready for use.
@@ -92,12 +108,15 @@ struct Rod {
     direction: [f64; 3],
     slots: Range<usize>,
     linear: bool,
+    /// Free strain ε₀.
+    free: f64,
 }
 
 /// Section of layers and bars.
 #[derive(Clone, Debug)]
 pub struct LayeredSection {
     layers: Vec<Layer>,
+    plies: Vec<PlyRange>,
     rods: Vec<Rod>,
     /// Number of history variables: none if all laws are linear.
     history: usize,
@@ -111,6 +130,8 @@ pub struct LayeredSection {
     eccentricity: f64,
     inertia: [f64; 3],
     shear: f64,
+    /// Free strains and creep, where there are any.
+    lasting: Option<Lasting>,
 }
 
 impl LayeredSection {
@@ -144,6 +165,7 @@ impl LayeredSection {
         }
         let mut section = LayeredSection {
             layers: Vec::new(),
+            plies: Vec::new(),
             rods: Vec::new(),
             history: 0,
             constant: [[0.0; 8]; 8],
@@ -153,6 +175,7 @@ impl LayeredSection {
             eccentricity,
             inertia: [0.0; 3],
             shear: 0.0,
+            lasting: None,
         };
         let mut bottom = eccentricity - 0.5 * thickness;
         for ply in plies {
@@ -210,8 +233,10 @@ impl LayeredSection {
             if let Some(moduli) = &moduli {
                 add_layer(moduli, depth, weight, &mut self.whole);
             }
-            self.layers.push(Layer { law: ply.law.clone(), depth, weight, slots, linear, ranged: moduli.is_some() });
+            let (law, ranged) = (ply.law.clone(), moduli.is_some());
+            self.layers.push(Layer { law, depth, weight, slots, linear, ranged, free: 0.0, ease: 1.0 });
         }
+        self.plies.push(PlyRange { layers: first..self.layers.len(), faces: [bottom, bottom + ply.thickness] });
         if moduli.is_some() {
             self.outermost.extend([first, self.layers.len() - 1]);
         }
@@ -234,6 +259,7 @@ impl LayeredSection {
             direction: [cosine * cosine, sine * sine, cosine * sine],
             slots: if linear { 0..0 } else { self.reserve(len) },
             linear,
+            free: 0.0,
         };
         let virgin = at_rest(&*bar.law)?;
         if linear {
@@ -347,15 +373,22 @@ impl Section for LayeredSection {
         self.integrate::<false>(strain, old, new, out)
     }
 
+    fn stage(&self, stage: Stage, history: &mut [f64]) {
+        if let Some(lasting) = &self.lasting {
+            lasting.set(stage, history);
+        }
+    }
+
     fn dissipated(&self, history: &[f64]) -> f64 {
         history.first().copied().unwrap_or(0.0)
     }
 
     fn inspect(&self, strain: &[f64; 8], history: &[f64], see: &mut dyn FnMut(LayerState)) {
         let mut room = Vec::new();
+        let point = self.lasting.as_ref().map(|lasting| lasting.point(history, true));
         for (number, layer) in self.layers.iter().enumerate() {
-            let at = at_depth(strain, layer.depth);
-            let own = layer.past(history, &mut room);
+            let at = layer.strain(strain, point.as_ref());
+            let own = layer.past(history, point.as_ref(), &mut room);
             // The law has already responded to a committed state.
             let stress = layer.law.respond(&at, own, &mut own.to_vec()).map_or([0.0; 3], |r| r.stress);
             see(LayerState {
@@ -368,7 +401,7 @@ impl Section for LayeredSection {
             });
         }
         for (number, rod) in self.rods.iter().enumerate() {
-            let at = rod.strain(strain);
+            let at = rod.own_strain(strain, point.as_ref());
             let own = &history[rod.slots.clone()];
             let stress = rod.law.respond(&[at], own, &mut own.to_vec()).map_or(0.0, |r| r.stress[0]);
             see(LayerState {

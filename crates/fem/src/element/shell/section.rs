@@ -17,7 +17,7 @@
 
 use materials::PointState;
 
-use crate::element::{ElementError, not_negative, positive, require};
+use crate::element::{ElementError, Stage, not_negative, positive, require};
 
 /// Resultants of one point and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub struct LayerState {
     pub depth: f64,
     /// Direction of the strain's first axis: angle from axis 1 of the section towards its axis 2 [rad]; 0 in layers.
     pub angle: f64,
-    /// ε_11, ε_22, γ_12; of a bar the strain along it, alone.
+    /// ε_11, ε_22, γ_12 less free and crept strains; of a bar the strain along it, alone.
     pub strain: [f64; 3],
     /// σ_11, σ_22, σ_12 [Pa]; of a bar its stress alone.
     pub stress: [f64; 3],
@@ -90,6 +90,9 @@ pub trait Section: Send + Sync {
     ) -> Result<(), ElementError> {
         self.respond(strain, old, new, out)
     }
+
+    /// Changes the stage in the committed history of one point.
+    fn stage(&self, _stage: Stage, _history: &mut [f64]) {}
 
     /// Energy dissipated so far per area of the reference surface [J/m²], read from the committed history of one point.
     fn dissipated(&self, _history: &[f64]) -> f64 {

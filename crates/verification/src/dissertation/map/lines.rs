@@ -58,6 +58,12 @@ const CODES: &[Line] = &[
 
 const DYNAMICS: &[Line] = &[
     line(
+        "loads (3.1.1): weight, liquid, temperature, prestress, creep and shrinkage before the earthquake",
+        "`analysis.nonlinear.temperature`, `materials.*.volume_change`, `prestress` of `tank.courses[].reinforcement`: state at rest of `--fe nonlinear`; \
+         `tank.pressure` for the codes",
+        &[Page("nonlinear-cylinder.md"), Rows("volume-change"), Test("-p fem creep")],
+    ),
+    line(
         "response spectra of a record, four-way plot (3.3, figures 3.25, 3.26)",
         "`tankcheck spectrum`; section *spectra* of the report",
         &[Page("spectra.md"), Rows("F13"), Run("spectrum examples/records/elcentro.csv")],

@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use fem::analysis::march::Outcome;
 use fem::progress::{Progress, Silent};
-use tank::Case;
 use tank::options::AfterRecord;
 use tank::options::nonlinear::{Contact, NonlinearOptions};
+use tank::{Case, VolumeChange, WallTemperature};
 
 use super::super::march::Cylinder;
 use super::super::model::CylinderModel;
@@ -82,6 +82,20 @@ fn resumed(case: &Case, own: &NonlinearOptions, tank: CylinderModel, stops: [u64
 fn iterated_run_resumed_is_uninterrupted() {
     let case = shaken(cracking(), 12.0, 7);
     let own = NonlinearOptions { after_record: AfterRecord::Time(0.02), ..options(&case, 14, 64) };
+    let tank = CylinderModel::new(&case, &own).unwrap();
+    resumed(&case, &own, tank, [6, 15]);
+}
+
+/// A wall with prestressed bars and warmer inside that has shrunk and crept before the record, in which it cracks.
+#[test]
+fn crept_run_resumed_is_uninterrupted() {
+    let mut case = shaken(cracking(), 12.0, 7);
+    let layer = &mut case.tank.courses[0].layers[0];
+    layer.material.volume_change =
+        VolumeChange { thermal_expansion: Some(1e-5), shrinkage: 1e-4, creep_coefficient: 1.0 };
+    layer.reinforcement.iter_mut().for_each(|bars| bars.prestress = 100e6);
+    let temperature = Some(WallTemperature { inside: 30.0, outside: 10.0, stress_free: 10.0 });
+    let own = NonlinearOptions { temperature, after_record: AfterRecord::Time(0.02), ..options(&case, 4, 8) };
     let tank = CylinderModel::new(&case, &own).unwrap();
     resumed(&case, &own, tank, [6, 15]);
 }

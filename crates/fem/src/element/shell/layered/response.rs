@@ -1,6 +1,7 @@
 //! Response of a section of layers and bars.
 
-use super::{Layer, LayeredSection, at_depth, failed};
+use super::lasting::Point;
+use super::{Layer, LayeredSection, failed};
 use crate::element::ElementError;
 use crate::element::shell::section::SectionResponse;
 
@@ -23,7 +24,9 @@ fn strain_of(history: &[f64]) -> [f64; 8] {
 
 impl Layer {
     /// Its part of a point's history; that of a whole point is written to `room`.
-    pub(super) fn past<'h>(&self, history: &'h [f64], room: &'h mut Vec<f64>) -> &'h [f64] {
+    ///
+    /// * `committed`: what lasted when the history was committed
+    pub(super) fn past<'h>(&self, history: &'h [f64], committed: Option<&Point>, room: &'h mut Vec<f64>) -> &'h [f64] {
         let own = &history[self.slots.clone()];
         if !(self.ranged && history[WHOLE] == 1.0) {
             return own;
@@ -31,15 +34,15 @@ impl Layer {
         room.clear();
         room.resize(own.len(), 0.0);
         if let Some(range) = self.law.elastic_range() {
-            range.history(&at_depth(&strain_of(history), self.depth), room);
+            range.history(&self.strain(&strain_of(history), committed), room);
         }
         room
     }
 
     /// Whether the strain of the section leaves this layer in its elastic range.
-    fn is_elastic(&self, strain: &[f64; 8]) -> bool {
+    fn is_elastic(&self, strain: &[f64; 8], lasting: Option<&Point>) -> bool {
         let range = self.law.elastic_range();
-        range.is_some_and(|range| range.holds(&at_depth(strain, self.depth)))
+        range.is_some_and(|range| range.holds(&self.strain(strain, lasting)))
     }
 }
 
@@ -52,12 +55,23 @@ impl LayeredSection {
         new: &mut [f64],
         out: &mut SectionResponse,
     ) -> Result<(), ElementError> {
+        let point = self.lasting.as_ref().map(|lasting| lasting.point(old, false));
+        let point = point.as_ref();
         let whole = self.history > 0
             && old[WHOLE] == 1.0
-            && self.outermost.iter().all(|&number| self.layers[number].is_elastic(strain));
-        let constant = if whole { &self.whole } else { &self.constant };
+            && self.outermost.iter().all(|&number| self.layers[number].is_elastic(strain, point));
+        let mut constant = if whole { &self.whole } else { &self.constant };
+        let mut off = None;
+        if let (Some(lasting), Some(point)) = (&self.lasting, point) {
+            let (now, taken) = lasting.constants(point, whole, constant);
+            (constant, off) = (now, Some(taken));
+            lasting.carry(strain, old, new);
+        }
         for (n, row) in out.resultants.iter_mut().zip(constant) {
             *n = row.iter().zip(strain).map(|(c, e)| c * e).sum();
+        }
+        if let Some(off) = off {
+            out.resultants.iter_mut().zip(off).for_each(|(n, off)| *n -= off);
         }
         if TANGENT {
             out.tangent = *constant;
@@ -73,10 +87,10 @@ impl LayeredSection {
             new[STRAIN..HEAD].fill(0.0);
         }
         if !whole || self.has_unranged() {
-            dissipation += self.layers_of::<TANGENT>(strain, old, new, out, whole)?;
+            dissipation += self.layers_of::<TANGENT>(strain, (old, new), out, whole, point)?;
         }
         for rod in self.rods.iter().filter(|r| !r.linear) {
-            let (at, own) = (rod.strain(strain), rod.slots.clone());
+            let (at, own) = (rod.own_strain(strain, point), rod.slots.clone());
             let response = rod.law.respond(&[at], &old[own.clone()], &mut new[own]).map_err(failed)?;
             let force = rod.area * response.stress[0];
             for (n, b) in out.resultants.iter_mut().zip(rod.weights()) {
@@ -111,17 +125,18 @@ impl LayeredSection {
     fn layers_of<const TANGENT: bool>(
         &self,
         strain: &[f64; 8],
-        old: &[f64],
-        new: &mut [f64],
+        (old, new): (&[f64], &mut [f64]),
         out: &mut SectionResponse,
         whole: bool,
+        lasting: Option<&Point>,
     ) -> Result<f64, ElementError> {
+        let committed = self.lasting.as_ref().map(|lasting| lasting.point(old, true));
         let mut dissipation = 0.0;
         let mut blocks = Blocks::default();
         let mut room = Vec::new();
         for layer in self.layers.iter().filter(|l| !(l.linear || whole && l.ranged)) {
-            let at = at_depth(strain, layer.depth);
-            let past = layer.past(old, &mut room);
+            let at = layer.strain(strain, lasting);
+            let past = layer.past(old, committed.as_ref(), &mut room);
             let response = layer.law.respond(&at, past, &mut new[layer.slots.clone()]).map_err(failed)?;
             for (i, stress) in response.stress.iter().enumerate() {
                 let force = layer.weight * stress;
@@ -129,7 +144,8 @@ impl LayeredSection {
                 out.resultants[3 + i] += layer.depth * force;
             }
             if TANGENT {
-                add(&response.tangent, layer.depth, layer.weight, &mut blocks);
+                let weight = layer.weight * lasting.map_or(1.0, |point| point.rate(layer.ease));
+                add(&response.tangent, layer.depth, weight, &mut blocks);
             }
             dissipation += layer.weight * response.dissipation;
         }

@@ -313,3 +313,108 @@ fn whole_sections_are_their_layers() {
     }
     assert!(first_crack.is_some_and(|step| step > 20 && step < 150), "{first_crack:?}");
 }
+
+/// Responds at `strain` from a history at this stage; returns the response and the history after it.
+fn staged(section: &LayeredSection, stage: Stage, strain: &[f64; 8], mut old: Vec<f64>) -> (SectionResponse, Vec<f64>) {
+    section.stage(stage, &mut old);
+    let mut new = old.clone();
+    (respond(section, strain, &old, &mut new), new)
+}
+
+fn close(a: &[f64], b: &[f64], scale: f64) {
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        assert!((a - b).abs() <= 1e-12 * scale, "{i}: {a} {b}");
+    }
+}
+
+/// A section with free strains answers as one without at the strain less the free ones, whole, yielding and after it, share by share.
+#[test]
+fn free_strains_shift_the_strain() {
+    let (t, free, of_bar) = (0.02, [2e-4, 8e-4], -5e-4);
+    let steel: Arc<dyn Law<3>> = Arc::new(materials::von_mises::VonMises::new(E, 0.3, YIELD, 0.01 * E, 0.5).unwrap());
+    let plies = [ply(steel, t, Rule::Gauss(5))];
+    // A bar in the middle, and the free strains of the ply there.
+    let bar = |law: Arc<dyn Law<1>>| super::Bar { law, area: 1e-3, depth: 0.0, angle: 0.0, density: 0.0 };
+    let plain = LayeredSection::new(&plies, &[]).unwrap();
+    let free_only = LayeredSection::new(&plies, &[]).unwrap().lasting(&[PlyState { free, creep: 0.0 }], &[]).unwrap();
+    let (mut own, mut other) = (virgin(&free_only), virgin(&plain));
+    let mean = 0.5 * (free[0] + free[1]);
+    let slope = (free[1] - free[0]) / t;
+    for (share, size) in [(0.25, 0.2), (0.5, 0.2), (1.0, 0.3), (1.0, 3.0), (1.0, -1.0)] {
+        let strain = STRAIN.map(|e| size * e);
+        let less = std::array::from_fn(|i| match i {
+            0 | 1 => strain[i] - share * mean,
+            3 | 4 => strain[i] - share * slope,
+            _ => strain[i],
+        });
+        let (found, next) = staged(&free_only, Stage::Lasting(share), &strain, own);
+        let mut new = other.clone();
+        let expected = respond(&plain, &less, &other, &mut new);
+        close(&found.resultants, &expected.resultants, E * t * 1e-3);
+        close(&found.tangent.concat(), &expected.tangent.concat(), E * t);
+        (own, other) = (next, new);
+    }
+    // Nothing changes when the loads cease to last.
+    let before = staged(&free_only, Stage::Lasting(1.0), &STRAIN, own.clone()).0;
+    assert_eq!(staged(&free_only, Stage::Short, &STRAIN, own).0, before);
+    // A yielding bar, prestressed.
+    let law: Arc<dyn Law<1>> = Arc::new(materials::bar::Bar::new(E, YIELD, 0.0).unwrap());
+    let elastic: Arc<dyn Law<3>> = Arc::new(Elastic::new(E, 0.3).unwrap());
+    let plies = [ply(elastic, t, Rule::Gauss(2))];
+    let section = LayeredSection::new(&plies, &[bar(law)]).unwrap().lasting(&[PlyState::default()], &[of_bar]).unwrap();
+    let at = |e: f64| {
+        let strain = [e, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        staged(&section, Stage::Lasting(1.0), &strain, virgin(&section)).0.resultants[0] - E * t * e / (1.0 - 0.09)
+    };
+    for (strain, stress) in [(0.0, 100e6), (5e-4, 200e6), (1e-3, YIELD), (-1e-3, -100e6)] {
+        assert!((at(strain) - 1e-3 * stress).abs() < 1e-9 * YIELD, "{strain} {}", at(strain));
+    }
+}
+
+/// Creep halves the moduli while loads last, keeps the stress when they cease, and leaves the short-time moduli after that; in a law without
+/// history, in one with an elastic range and in one that is integrated layer by layer.
+#[test]
+fn creep_is_the_effective_modulus_and_stays() {
+    let t = 0.02;
+    let laws: [Arc<dyn Law<3>>; 3] = [
+        Arc::new(Elastic::new(E, 0.3).unwrap()),
+        Arc::new(materials::von_mises::VonMises::new(E, 0.3, YIELD, 0.0, 1.0).unwrap()),
+        Arc::new(Springs),
+    ];
+    for law in laws {
+        let plies = [ply(law, t, Rule::Gauss(5))];
+        let plain = LayeredSection::new(&plies, &[]).unwrap();
+        let state = PlyState { free: [1e-4; 2], creep: 1.0 };
+        let section = LayeredSection::new(&plies, &[]).unwrap().lasting(&[state], &[]).unwrap();
+        let strain = STRAIN.map(|e| 0.3 * e);
+        let half = std::array::from_fn(|i| match i {
+            0 | 1 => 0.5 * (strain[i] - 1e-4),
+            6 | 7 => strain[i],
+            _ => 0.5 * strain[i],
+        });
+        let mut scratch = virgin(&plain);
+        let expected = respond(&plain, &half, &virgin(&plain), &mut scratch);
+        let (lasting, old) = staged(&section, Stage::Lasting(1.0), &strain, virgin(&section));
+        close(&lasting.resultants, &expected.resultants, E * t * 1e-3);
+        assert!((lasting.tangent[0][0] / expected.tangent[0][0] - 0.5).abs() < 1e-12);
+        assert_eq!(lasting.tangent[6], expected.tangent[6]);
+        let (short, old) = staged(&section, Stage::Short, &strain, old);
+        close(&short.resultants, &lasting.resultants, E * t * 1e-3);
+        close(&short.tangent.concat(), &expected.tangent.concat(), E * t);
+        // A strain beside it: the stress changes by the short-time modulus.
+        let more = strain.map(|e| 1.1 * e);
+        let change: Vec<f64> = (0..8)
+            .map(|i| (0..8).map(|j| expected.tangent[i][j] * 0.1 * strain[j]).sum::<f64>() + short.resultants[i])
+            .collect();
+        close(&staged(&section, Stage::Short, &more, old).0.resultants, &change, E * t * 1e-3);
+    }
+}
+
+#[test]
+fn states_out_of_range_are_rejected() {
+    let law: Arc<dyn Law<3>> = Arc::new(Elastic::new(E, 0.3).unwrap());
+    let section = LayeredSection::new(&[ply(law, 0.02, Rule::Gauss(2))], &[]).unwrap();
+    let bad = |free: f64, creep: f64| section.clone().lasting(&[PlyState { free: [free; 2], creep }], &[]).is_err();
+    assert!(bad(f64::NAN, 0.0) && bad(0.0, -1.0) && !bad(1e-4, 1.0));
+    assert!(section.clone().lasting(&[], &[]).is_err() && section.lasting(&[PlyState::default()], &[0.0]).is_err());
+}
