@@ -119,7 +119,8 @@ impl Strip {
         let mut quake = StripQuake::new(record.clone(), step);
         quake.vertical.clone_from(&motion.vertical);
         quake.scheme = TimeScheme::GeneralizedAlpha { radius: options.spectral_radius };
-        if options.contact == Contact::Opening {
+        // Joints that open, and a loose layer.
+        if model.assembler.acts_at_end() {
             quake.newton = Options::for_contact();
         }
         let sloshing = model.modes.omega.first().copied().unwrap_or(0.0);

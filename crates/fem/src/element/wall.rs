@@ -21,6 +21,9 @@
 //! ([`LayerMass::Halves`]), or wholly on one face. Either way it is pulled back with the lever c, and its weight with it. (A
 //! layer without shear stiffness cannot carry its weight by itself.)
 //!
+//! **Layer without tension.** Where it goes into a model its stresses are an element of their own ([`LooseLayer`]), whose force
+//! time steps take at their end.
+//!
 //! **Fewer layers.** One shell is a [`Shell4`]. Two shells bonded directly are two [`Shell4`] on one reference surface, one
 //! of them with an eccentric section: a perfect bond adds no unknowns either. Two shells that may separate without a layer are
 //! not offered: give the joint a thickness. [`place`] puts all three into a model.
@@ -37,7 +40,10 @@ use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Stage
 use crate::dofs::Dof;
 
 mod abilities;
+mod loose;
 pub mod place;
+
+pub use loose::LooseLayer;
 
 /// Kind, as users name it.
 const KIND: &str = "wall";
@@ -84,6 +90,8 @@ pub struct Wall {
     directors: [Vector3<f64>; 8],
     /// c at each node [m].
     lever: [f64; 8],
+    /// The stresses of the layer are those of a [`LooseLayer`].
+    loose: bool,
 }
 
 impl Wall {
@@ -117,7 +125,7 @@ impl Wall {
             },
             other => other,
         })?;
-        Ok(Wall { nodes, inner, outer, layer: layer_solid, mass: layer.mass, directors, lever })
+        Ok(Wall { nodes, inner, outer, layer: layer_solid, mass: layer.mass, directors, lever, loose: false })
     }
 
     /// The inner shell.
@@ -208,6 +216,27 @@ impl Wall {
         }
     }
 
+    /// Adds the response of the layer.
+    fn respond_layer(&self, motion: &Motion<'_>, want: Want, out: &mut Response) -> Result<(), ElementError> {
+        let (u, d) = self.faces(motion);
+        let mut part = Response::sized(24);
+        let face = Motion { values: &u, rotations: &[UnitQuaternion::identity(); 8] };
+        // The diagonal block needs the force.
+        let needed = Want { force: true, tangent: want.tangent };
+        self.layer.respond(Trial { motion: face, old: &[], new: &mut [], want: needed }, &mut part)?;
+        if want.force {
+            self.add_force(&part.force, &d, &mut out.force);
+        }
+        if want.tangent {
+            self.add_pulled(&part.tangent, &d, &mut out.tangent);
+            for a in 0..8 {
+                let f = Vector3::from_column_slice(&part.force[3 * a..3 * a + 3]) * self.lever[a];
+                add_turn_block(&mut out.tangent, a, &f, &d[a]);
+            }
+        }
+        Ok(())
+    }
+
     /// The mass of the layer on its faces.
     fn face_mass(&self) -> LocalMatrix {
         let mut solid = LocalMatrix::zeros(24);
@@ -291,23 +320,10 @@ impl Element for Wall {
                 add_block(i, &part.tangent, &mut out.tangent);
             }
         }
-        let (u, d) = self.faces(&motion);
-        part.reset(24);
-        let face = Motion { values: &u, rotations: &[UnitQuaternion::identity(); 8] };
-        // The diagonal block needs the force.
-        let needed = Want { force: true, tangent: want.tangent };
-        self.layer.respond(Trial { motion: face, old: &[], new: &mut [], want: needed }, &mut part)?;
-        if want.force {
-            self.add_force(&part.force, &d, &mut out.force);
+        match self.loose {
+            true => Ok(()),
+            false => self.respond_layer(&motion, want, out),
         }
-        if want.tangent {
-            self.add_pulled(&part.tangent, &d, &mut out.tangent);
-            for a in 0..8 {
-                let f = Vector3::from_column_slice(&part.force[3 * a..3 * a + 3]) * self.lever[a];
-                add_turn_block(&mut out.tangent, a, &f, &d[a]);
-            }
-        }
-        Ok(())
     }
 
     fn damping(&self, out: &mut LocalMatrix) -> bool {
@@ -333,6 +349,9 @@ impl Element for Wall {
 
 impl Contact for Wall {
     fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
+        if self.loose {
+            return;
+        }
         let (u, _) = self.faces(&motion);
         let face = Motion { values: &u, rotations: motion.rotations };
         self.layer.switches(face, &[], see);

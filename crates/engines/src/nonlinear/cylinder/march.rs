@@ -113,7 +113,7 @@ impl<'a> Cylinder<'a> {
             StepLength::Fixed => None,
             StepLength::Adaptive => Some(Adaptive::DEFAULT),
         };
-        if tank.contact() {
+        if tank.assembler.acts_at_end() {
             settings.newton = match tank.zone.clone() {
                 Some(zone) => Options::for_ground(zone),
                 None => Options::for_contact(),

@@ -69,6 +69,16 @@ impl Buckling for Wall {
             shell.geometric_stiffness(&values[SHELL_SIZE * i..SHELL_SIZE * (i + 1)], &mut part)?;
             add_block(i, &part, out);
         }
+        match self.loose {
+            true => Ok(()),
+            false => self.layer_geometric_stiffness(values, out),
+        }
+    }
+}
+
+impl Wall {
+    /// Adds the geometric stiffness of the layer.
+    pub(super) fn layer_geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
         let pull = self.pull(&self.directors);
         let mut u = vec![0.0; 24];
         for a in 0..8 {

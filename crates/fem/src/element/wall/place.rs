@@ -167,7 +167,7 @@ pub type MoreCells<'a> = dyn FnMut(&mut Builder, &[usize]) -> Result<Vec<ShellCe
 /// Where a wall went.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedWall {
-    /// Elements of each row of cells, from below.
+    /// Elements of each row of cells, from below. Loose layers follow after the last.
     pub rows: Vec<Vec<usize>>,
     /// Node of each point of the footprint on the inner reference surface.
     pub inner: Vec<usize>,
@@ -231,6 +231,7 @@ impl WallMesh<'_> {
         let nodes = [add(builder, self.offsets[0]), add(builder, self.offsets[1])];
         let found = [self.directors(builder, &nodes[0])?, self.directors(builder, &nodes[1])?];
         let mut rows = vec![Vec::new(); builds.len()];
+        let mut loose = Vec::new();
         for (c, (&cell, &row)) in self.footprint.cells.iter().zip(&self.footprint.rows).enumerate() {
             let Build::Layered(leaves, layer) = &builds[row] else { continue };
             let shell = |side: usize| -> Result<Shell4, ElementError> {
@@ -243,7 +244,12 @@ impl WallMesh<'_> {
                     .with_drilling(fold, DRILLING)
             };
             let wall = Wall::new(shell(0)?, shell(1)?, [leaves[0].face, leaves[1].face], layer)?;
+            let (wall, layer) = wall.part_loose();
             rows[row].push(builder.element(self.name, wall));
+            loose.extend(layer);
+        }
+        for layer in loose {
+            builder.element(self.name, layer);
         }
         for side in found {
             for (node, kind) in side.nodes {

@@ -72,7 +72,15 @@ fn shells() -> Vec<Specimen> {
     ]
 }
 
-fn wall(what: &'static str, material: Solid, mass: LayerMass) -> Specimen {
+/// A wall, or a part of one whose layer is loose.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    Whole,
+    Shells,
+    Layer,
+}
+
+fn wall(what: &'static str, material: Solid, mass: LayerMass, part: Of) -> Specimen {
     const FACES: [f64; 2] = [0.04, 0.06];
     let outer: [[f64; 3]; 4] = std::array::from_fn(|a| (Vector3::from(WARPED[a]) + 0.35 * directors()[a]).into());
     let positions: Vec<[f64; 3]> = WARPED.into_iter().chain(outer).collect();
@@ -84,7 +92,12 @@ fn wall(what: &'static str, material: Solid, mass: LayerMass) -> Specimen {
         };
         let layer = Layer { material, kinematics: Kinematics::GreenLagrange, mass };
         let (inner, outer) = (shell(0, WARPED, 1000.0, 0.08), shell(4, outer, 700.0, 0.12));
-        Box::new(Wall::new(inner, outer, FACES, &layer).unwrap())
+        let wall = Wall::new(inner, outer, FACES, &layer).unwrap();
+        match part {
+            Of::Whole => Box::new(wall),
+            Of::Shells => Box::new(wall.part_loose().0),
+            Of::Layer => Box::new(wall.part_loose().1.unwrap()),
+        }
     };
     let face = |a: usize| -> [f64; 3] {
         let (x, out) = if a < 4 { (WARPED[a], FACES[0]) } else { (outer[a - 4], -FACES[1]) };
@@ -95,8 +108,11 @@ fn wall(what: &'static str, material: Solid, mass: LayerMass) -> Specimen {
     Specimen {
         tangent: Tangent::SymmetricPart(TURNED_NODES),
         rotations: Rotations::Finite,
-        mass: Mass::Of(shells + material.density * between),
-        ..Specimen::new("Wall", what, &positions, build)
+        mass: match part {
+            Of::Layer => Mass::None("its mass is that of the wall"),
+            _ => Mass::Of(shells + material.density * between),
+        },
+        ..Specimen::new(if part == Of::Layer { "LooseLayer" } else { "Wall" }, what, &positions, build)
     }
 }
 
@@ -129,9 +145,11 @@ pub(crate) fn all() -> Vec<Specimen> {
     let second = |points| Options { points, second_order: true };
     let mut all = shells();
     all.extend([
-        wall("isotropic layer", Solid::isotropic(60.0, 0.2, 2.0), LayerMass::Halves),
-        wall("layer without tension", Solid::pressed_only(50.0, 2.0), LayerMass::Inner),
-        wall("core", Solid::core(50.0, 20.0, 2.0), LayerMass::Outer),
+        wall("isotropic layer", Solid::isotropic(60.0, 0.2, 2.0), LayerMass::Halves, Of::Whole),
+        wall("layer without tension", Solid::pressed_only(50.0, 2.0), LayerMass::Inner, Of::Whole),
+        wall("shells beside a layer without tension", Solid::pressed_only(50.0, 2.0), LayerMass::Inner, Of::Shells),
+        wall("without tension", Solid::pressed_only(50.0, 2.0), LayerMass::Inner, Of::Layer),
+        wall("core", Solid::core(50.0, 20.0, 2.0), LayerMass::Outer, Of::Whole),
         fibre_beam("elastic", Options::default(), false),
         fibre_beam("elastic, P-Δ, Lobatto", second(Points::Lobatto3), false),
         fibre_beam("yielding", Options::default(), true),
